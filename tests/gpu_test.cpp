@@ -1,0 +1,81 @@
+#include "tests/gpu_test.h"
+
+#include <cstdlib>
+#include <map>
+
+#include "backends/opengl/gl_backend.h"
+#include "backends/rhi/validate/validator.h"
+#include "backends/vulkan/vk_backend.h"
+
+namespace test_shaders {
+void addTo(rhi::ShaderLibrary& library);
+}
+
+namespace sb::test {
+namespace {
+
+struct Opened {
+  // The validator watches the device and must outlive it.
+  std::unique_ptr<rhi::Validator> validator;
+  std::unique_ptr<rhi::Device> device;
+  std::string why;
+};
+
+std::unique_ptr<rhi::Backend> makeBackend(const std::string& name) {
+  if (name == "vulkan") return vulkan::makeBackend();
+  if (name == "opengl") return opengl::makeBackend(opengl::ContextKind::Egl);
+  return opengl::makeBackend(opengl::ContextKind::OSMesa);
+}
+
+bool required(const std::string& backend) {
+  const char* list = std::getenv("SHADOWBENCH_REQUIRE");
+  return list && ("," + std::string(list) + ",").find("," + backend + ",") != std::string::npos;
+}
+
+}  // namespace
+
+const std::vector<std::string>& gpuBackends() {
+  static const std::vector<std::string> names = {"vulkan", "opengl", "opengl-osmesa"};
+  return names;
+}
+
+rhi::Device* sharedDevice(const std::string& backend, std::string* why) {
+  static std::map<std::string, Opened> opened;
+  auto [it, first] = opened.try_emplace(backend);
+  if (first) {
+    try {
+      it->second.device = makeBackend(backend)->open({.validate = true});
+      it->second.validator = std::make_unique<rhi::Validator>(*it->second.device);
+    } catch (const std::exception& e) {
+      it->second.why = e.what();
+    }
+  }
+  if (why) *why = it->second.why;
+  return it->second.device.get();
+}
+
+const rhi::ShaderLibrary& testShaders() {
+  static const rhi::ShaderLibrary library = [] {
+    rhi::ShaderLibrary lib;
+    test_shaders::addTo(lib);
+    return lib;
+  }();
+  return library;
+}
+
+void GpuTest::SetUp() {
+  std::string why;
+  m_device = sharedDevice(GetParam(), &why);
+  if (m_device) return;
+  if (required(GetParam())) FAIL() << GetParam() << " is required but does not start: " << why;
+  GTEST_SKIP() << GetParam() << " does not start: " << why;
+}
+
+void GpuTest::TearDown() {
+  if (!m_device) return;
+  m_device->waitIdle();
+  for (const rhi::Message& m : m_device->takeMessages())
+    ADD_FAILURE() << m.source << " [" << m.rule << "] " << m.text;
+}
+
+}  // namespace sb::test
