@@ -20,14 +20,14 @@ namespace opengl {
   X(ClearNamedBufferSubData) X(ClearNamedFramebufferfi) X(ClearNamedFramebufferfv) X(ClearNamedFramebufferiv) \
   X(ClearNamedFramebufferuiv) X(ClientWaitSync) X(ClipControl) X(ColorMaski) X(CompileShader) \
   X(CopyImageSubData) X(CopyNamedBufferSubData) X(CreateBuffers) X(CreateFramebuffers) \
-  X(CreateProgram) X(CreateQueries) X(CreateSamplers) X(CreateShader) X(CreateTextures) \
+  X(CreateProgram) X(CreateSamplers) X(CreateShader) X(CreateTextures) \
   X(CreateVertexArrays) X(CullFace) X(DebugMessageCallback) X(DebugMessageControl) X(DeleteBuffers) \
   X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteSamplers) X(DeleteShader) \
   X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) \
   X(DetachShader) X(Disable) X(DisableVertexAttribArray) X(Disablei) X(DispatchCompute) \
   X(DispatchComputeIndirect) X(DrawArraysInstanced) X(DrawElementsInstancedBaseVertex) \
   X(Enable) X(EnableVertexAttribArray) X(Enablei) X(EndQuery) X(FenceSync) X(Finish) X(Flush) \
-  X(FrontFace) X(GenTextures) X(GetError) X(GetInteger64v) X(GetIntegerv) X(GetInternalformativ) \
+  X(FrontFace) X(GenQueries) X(GenTextures) X(GetError) X(GetInteger64v) X(GetIntegerv) X(GetInternalformativ) \
   X(GetNamedBufferSubData) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectui64v) \
   X(GetQueryiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi) X(GetTextureSubImage) \
   X(InvalidateNamedFramebufferData) X(LinkProgram) X(LogicOp) X(MemoryBarrier) X(MinSampleShading) \

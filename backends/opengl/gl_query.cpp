@@ -2,8 +2,6 @@
 
 #include <cassert>
 
-#include "backends/opengl/gl_debug.h"
-
 namespace opengl {
 namespace {
 
@@ -29,13 +27,13 @@ QueryPool::QueryPool(const Functions& gl, const rhi::QueryPoolDesc& desc, bool s
     case rhi::QueryKind::Occlusion: m_targets = {GL_SAMPLES_PASSED}; break;
     case rhi::QueryKind::PipelineStatistics: m_targets = kStatistics; break;
   }
-  for (uint32_t i = 0; i < desc.count; ++i)
-    for (GLenum target : m_targets) {
-      GLuint name = 0;
-      gl.CreateQueries(target, 1, &name);
-      m_names.emplace_back(gl, name, [](const Functions& f, GLuint n) { f.DeleteQueries(1, &n); });
-      labelObject(gl, GL_QUERY, name, desc.label);
-    }
+  // Not glCreateQueries: Mesa 22 refuses the targets of pipeline statistics there, though it takes
+  // them in glBeginQuery.
+  for (size_t i = 0; i < desc.count * m_targets.size(); ++i) {
+    GLuint name = 0;
+    gl.GenQueries(1, &name);
+    m_names.emplace_back(gl, name, [](const Functions& f, GLuint n) { f.DeleteQueries(1, &n); });
+  }
 }
 
 void QueryPool::timestamp(uint32_t index) {
