@@ -162,7 +162,7 @@ rhi::FormatCaps queryFormatCaps(const Functions& gl, rhi::Format format) {
   if (internalFormat == 0 || query(GL_INTERNALFORMAT_SUPPORTED) != GL_TRUE) return caps;
   const rhi::FormatInfo& info = rhi::formatInfo(format);
   caps.sampled = supported(GL_FRAGMENT_TEXTURE);
-  caps.linearFilter = query(GL_FILTER) == GL_TRUE;
+  caps.linearFilter = supported(GL_FILTER);
   const bool renderable = supported(GL_FRAMEBUFFER_RENDERABLE);
   caps.colorTarget = renderable && !info.depth;
   caps.depthTarget = renderable && info.depth;
@@ -175,8 +175,7 @@ rhi::FormatCaps queryFormatCaps(const Functions& gl, rhi::Format format) {
   caps.storageAtomic =
       caps.storage && (format == rhi::Format::R32Uint || format == rhi::Format::R32Sint) &&
       supported(GL_SHADER_IMAGE_ATOMIC);
-  if (renderable) caps.sampleCounts = sampleCounts(gl, internalFormat);
-  else caps.sampleCounts = {1};
+  caps.sampleCounts = renderable ? sampleCounts(gl, internalFormat) : std::vector<uint32_t>{1};
   return caps;
 }
 

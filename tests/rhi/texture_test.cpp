@@ -157,3 +157,18 @@ GPU_TEST(Textures, CopiesTakeAllMipsAndLayersOfTheirViews) {
     for (uint32_t mip = 0; mip < 3; ++mip)
       EXPECT_EQ(texel(device(), target, mip, layer), expected[layer][mip]) << layer << ' ' << mip;
 }
+
+GPU_TEST(Textures, FormatCapsAdmitWhatBothApisRequire) {
+  using enum rhi::Format;
+  for (rhi::Format format : {R8Unorm, RGBA8Unorm, RGBA8Srgb, RGBA16Float}) {
+    const rhi::FormatCaps caps = device().formatCaps(format);
+    EXPECT_TRUE(caps.sampled && caps.linearFilter && caps.colorTarget && caps.blend)
+        << rhi::formatInfo(format).name;
+  }
+  for (rhi::Format format : {R32Uint, R32Sint})
+    EXPECT_TRUE(device().formatCaps(format).storageAtomic) << rhi::formatInfo(format).name;
+  EXPECT_TRUE(device().formatCaps(D32Float).depthTarget);
+  EXPECT_FALSE(device().formatCaps(D32Float).colorTarget);
+  EXPECT_FALSE(device().formatCaps(RGBA8Unorm).depthTarget);
+  EXPECT_FALSE(device().formatCaps(R32Uint).linearFilter);
+}
