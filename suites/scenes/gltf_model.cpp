@@ -1,0 +1,34 @@
+// tinygltf (MIT), compiled here rather than linked: without its image decoder, its file access and
+// its habit of throwing from them. It gets JSON that checkGltf() has passed.
+#define TINYGLTF_IMPLEMENTATION
+#include "suites/scenes/gltf_context.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+
+tinygltf::Model parseModel(const GltfSource& source) {
+  nlohmann::json json = source.json;
+  // We read these ourselves, or not at all.
+  for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);
+  for (auto& mesh : json["meshes"])
+    for (auto& primitive : mesh["primitives"]) primitive.erase("targets");
+  for (auto& node : json["nodes"]) node.erase("weights"), node.erase("skin");
+  if (json["meshes"].is_null()) json.erase("meshes");
+  if (json["nodes"].is_null()) json.erase("nodes");
+
+  tinygltf::TinyGLTF parser;
+  tinygltf::Model model;
+  std::string error, warning;
+  bool parsed = false;
+  try {
+    const std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    parsed = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                        unsigned(text.size()), "");
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  if (!parsed) source.fail("JSON", "tinygltf: " + (error.empty() ? "cannot be read" : error));
+  return model;
+}
+
+}  // namespace sb
