@@ -1,10 +1,12 @@
 // What the parts of the glTF loader share while one file becomes a Scene. Internal to the loader.
 #pragma once
 
-#include <tiny_gltf.h>
-
+#include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include <tiny_gltf.h>
 
 #include "suites/scenes/gltf_source.h"
 #include "techniques/common/scene.h"

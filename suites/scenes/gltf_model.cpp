@@ -1,5 +1,9 @@
 // tinygltf (MIT), compiled here rather than linked: without its image decoder, its file access and
 // its habit of throwing from them. It gets JSON that checkGltf() has passed.
+// nlohmann/json comes first: inside tinygltf it would be declared hidden.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #define TINYGLTF_IMPLEMENTATION
 #include "suites/scenes/gltf_context.h"
 #include "techniques/common/error.h"
@@ -11,7 +15,7 @@ tinygltf::Model parseModel(const GltfSource& source) {
   // We read these ourselves, or not at all.
   for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);
   for (auto& mesh : json["meshes"])
-    for (auto& primitive : mesh["primitives"]) primitive.erase("targets");
+    for (auto& primitive : mesh["primitives"]) primitive.erase("targets"), primitive.erase("indices");
   for (auto& node : json["nodes"]) node.erase("weights"), node.erase("skin");
   if (json["meshes"].is_null()) json.erase("meshes");
   if (json["nodes"].is_null()) json.erase("nodes");
@@ -28,6 +32,11 @@ tinygltf::Model parseModel(const GltfSource& source) {
     error = exception.what();
   }
   if (!parsed) source.fail("JSON", "tinygltf: " + (error.empty() ? "cannot be read" : error));
+  // tinygltf refuses indices without a bufferView (all zero, or sparse), which glTF allows.
+  for (size_t m = 0; m < model.meshes.size(); ++m)
+    for (size_t p = 0; p < model.meshes[m].primitives.size(); ++p)
+      model.meshes[m].primitives[p].indices =
+          source.json["meshes"][m]["primitives"][p].value("indices", -1);
   return model;
 }
 

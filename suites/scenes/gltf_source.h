@@ -43,6 +43,9 @@ void loadBuffers(GltfSource& source);
 /// `mimeType` gets the media type of a data uri.
 std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
                              const std::string& uri, std::string& mimeType);
+/// The file that a uri (no data uri) names, which may not exist.
+std::filesystem::path uriPath(const GltfSource& source, const std::string& field,
+                              const std::string& uri);
 /// A JSON value as it stands in error texts: shortened.
 std::string shown(const nlohmann::json& value);
 

@@ -33,6 +33,14 @@ std::array<glm::vec3, 2> transformRows(const tinygltf::Value& transform) {
           glm::vec3(float(-s * sx), float(c * sy), float(number("offset", 1, 0)))};
 }
 
+// A file that is not there, like a format that is not read, costs the texture, not the scene.
+bool fileMissing(const GltfContext& context, const std::string& field, const json& image) {
+  if (!image.contains("uri") || image["uri"].get_ref<const std::string&>().starts_with("data:"))
+    return false;
+  std::error_code ignored;
+  return !std::filesystem::exists(uriPath(context.source, field + ".uri", image["uri"]), ignored);
+}
+
 std::vector<uint8_t> imageBytes(GltfContext& context, const std::string& field, const json& image,
                                 std::string& mimeType) {
   if (image.contains("uri") == image.contains("bufferView"))
@@ -64,11 +72,15 @@ void readImages(GltfContext& context) {
   for (size_t i = 0; i < images.size(); ++i) {
     const std::string field = fieldAt("images", i);
     std::string mimeType;
-    const std::vector<uint8_t> bytes = imageBytes(context, field, images[i], mimeType);
     Image image;
+    if (fileMissing(context, field, images[i])) {
+      context.warn(field + ".uri: file " + shown(images[i]["uri"]) + " not found");
+      context.scene.images.push_back(image);
+      continue;
+    }
+    const std::vector<uint8_t> bytes = imageBytes(context, field, images[i], mimeType);
     const ImageFormat format = imageFormat(bytes);
     if (format == ImageFormat::Unknown) {
-      // Another format is no fault of the file; a material that uses it cannot be drawn, though.
       context.warn(field + " is neither PNG nor JPEG and was not read");
     } else {
       std::string error;
@@ -93,11 +105,10 @@ TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int 
   if (texture < 0) return slot;
   const tinygltf::Texture& source = context.model.textures[size_t(texture)];
   const std::string textureField = fieldAt("textures", size_t(texture));
-  if (source.source < 0)
-    context.fail(textureField + ".source", "is missing: it has no PNG or JPEG image");
-  if (context.scene.images[size_t(source.source)].rgba.empty())
-    context.fail(fieldAt("images", size_t(source.source)),
-                 "is neither PNG nor JPEG, but " + field + " uses it");
+  if (source.source < 0 || context.scene.images[size_t(source.source)].rgba.empty()) {
+    context.warn(field + " is left out: " + textureField + " has no image that could be read");
+    return slot;
+  }
   slot.image = uint32_t(source.source);
   slot.srgb = srgb;
   if (source.sampler >= 0) {

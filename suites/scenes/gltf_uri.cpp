@@ -44,7 +44,7 @@ int hexDigit(char c) {
 }
 
 std::string percentDecoded(const GltfSource& source, const std::string& field,
-                           const std::string& uri) {
+                           const std::string& uri, bool zeroAllowed) {
   std::string text;
   for (size_t i = 0; i < uri.size(); ++i) {
     if (uri[i] != '%') {
@@ -58,12 +58,24 @@ std::string percentDecoded(const GltfSource& source, const std::string& field,
     text += char(high * 16 + low);
     i += 2;
   }
-  if (text.find('\0') != std::string::npos)
+  if (!zeroAllowed && text.find('\0') != std::string::npos)
     source.fail(field, shown(uri) + " is not a valid uri: it holds a zero byte");
   return text;
 }
 
 }  // namespace
+
+std::filesystem::path uriPath(const GltfSource& source, const std::string& field,
+                              const std::string& uri) {
+  if (uri.empty()) source.fail(field, "is empty, expected a file name or a data uri");
+  const size_t colon = uri.find(':');
+  if (colon != std::string::npos && uri.find('/') > colon)
+    source.fail(field, shown(uri) + " is not a file: expected a relative path or a data uri");
+  const std::filesystem::path relative = percentDecoded(source, field, uri, false);
+  if (relative.is_absolute())
+    source.fail(field, shown(uri) + " is an absolute path, expected a relative one");
+  return source.path.parent_path() / relative;
+}
 
 std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
                              const std::string& uri, std::string& mimeType) {
@@ -71,22 +83,19 @@ std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
   if (uri.starts_with("data:")) {
     const size_t comma = uri.find(',');
     const std::string head = uri.substr(5, comma == std::string::npos ? 0 : comma - 5);
-    if (comma == std::string::npos || !head.ends_with(";base64") || head.find(";;") != head.npos)
+    if (comma == std::string::npos || head.find(";;") != head.npos)
       source.fail(field, shown(uri) + " is not a valid data uri: expected data:TYPE;base64,...");
     mimeType = head.substr(0, head.find(';'));
+    if (!head.ends_with(";base64")) {
+      const std::string text = percentDecoded(source, field, uri.substr(comma + 1), true);
+      return {text.begin(), text.end()};
+    }
     auto bytes = decodeBase64(std::string_view(uri).substr(comma + 1));
     if (!bytes) source.fail(field, shown(uri) + " holds invalid base64");
     return *std::move(bytes);
   }
-  if (uri.empty()) source.fail(field, "is empty, expected a file name or a data uri");
-  const size_t colon = uri.find(':');
-  if (colon != std::string::npos && uri.find('/') > colon)
-    source.fail(field, shown(uri) + " is not a file: expected a relative path or a data uri");
-  const std::filesystem::path relative = percentDecoded(source, field, uri);
-  if (relative.is_absolute())
-    source.fail(field, shown(uri) + " is an absolute path, expected a relative one");
   try {
-    return readWholeFile(source.path.parent_path() / relative, kMaxFileBytes);
+    return readWholeFile(uriPath(source, field, uri), kMaxFileBytes);
   } catch (const InputError& error) {
     source.fail(field, error.what());
   }

@@ -1,5 +1,6 @@
 #include "suites/scenes/mesh_tools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
