@@ -23,7 +23,9 @@ const json& list(const GltfSource& source, const char* key) {
   return found == source.json.end() ? kEmptyArray : *found;
 }
 
-std::string at(const char* key, size_t i) { return key + ("[" + std::to_string(i) + "]"); }
+std::string at(const char* key, size_t i) {
+  return std::string(key).append("[").append(std::to_string(i)).append("]");
+}
 
 // {major, minor} of "2.0"; fails on other forms.
 std::array<int, 2> version(const GltfSource& source, const std::string& field,

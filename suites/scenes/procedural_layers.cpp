@@ -53,22 +53,26 @@ Scene make(const ParamValues& p) {
     m[3] = glm::dvec4(x, y, z, 1);
     return m;
   };
-  addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {7.5f, 5.0f})),
-              at(1.5, 0, 0));
-  const uint32_t bluePane = addMesh(scene, quadMesh("blue", blue, {1.6f, 1.6f}));
-  const uint32_t rainbowMesh = addMesh(scene, quadMesh("rainbow", rainbow, {2.2f, 1.6f}));
-  const uint32_t greyPane = addMesh(scene, quadMesh("grey", grey, {1.6f, 1.6f}));
+  addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {6.2f, 4.2f})),
+              at(1.6, 0, 0));
+  const glm::dvec3 travel(1.6, -0.3, -1);
   const double gap = p.find("gap")->second;
-  // Light travels along (1, -0.35, -1): what stands at z lands z further right on the receiver.
-  addInstance(scene, "blue", bluePane, at(-2.6, 0.4, gap));
-  addInstance(scene, "rainbow", rainbowMesh, at(-2.8, 1.2, 2 * gap));
-  addInstance(scene, "grey", greyPane, at(-4.6, 2.6, 3 * gap));
-  scene.lights.push_back(sunLight({1, -0.35, -1}, glm::radians(p.find("sun")->second)));
+  // A pane `layer` gaps before the receiver whose shadow's middle falls on (x, y).
+  const auto pane = [&](const char* name, uint32_t material, glm::vec2 half, int layer, double x,
+                        double y) {
+    const double z = gap * layer;
+    addInstance(scene, name, addMesh(scene, quadMesh(name, material, half)),
+                at(x - travel.x * z, y - travel.y * z, z));
+  };
+  pane("blue", blue, {1.6f, 1.6f}, 1, 1.2, -0.9);
+  pane("rainbow", rainbow, {2.2f, 1.6f}, 2, 2.6, 0.0);
+  pane("grey", grey, {1.6f, 1.6f}, 3, 3.6, 1.2);
+  scene.lights.push_back(sunLight(travel, glm::radians(p.find("sun")->second)));
 
   Camera camera;
   camera.name = "view";
   camera.fovY = 0.8;
-  camera.toWorld = lookFrom({-6.5, 4.5, 19}, {-0.2, 0.1, 1.0});
+  camera.toWorld = lookFrom({5, 2.5, 21.5}, {-0.9, 0.5, 0.5});
   camera.nearPlane = 2;
   camera.farPlane = 60;
   scene.cameras.push_back(camera);

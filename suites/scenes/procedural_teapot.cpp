@@ -123,13 +123,13 @@ Scene make(const ParamValues& p) {
   addInstance(scene, "teapot",
               addMesh(scene, teapotMesh(pot, uint32_t(p.find("segments")->second))), upright);
   // The panes stand on the floor in a row across the light's way.
-  const uint32_t panes[] = {addMesh(scene, quadMesh("red", red, {1.1f, 1.7f})),
-                            addMesh(scene, quadMesh("green", green, {1.1f, 1.7f})),
-                            addMesh(scene, quadMesh("blue", blue, {1.1f, 1.7f}))};
+  const uint32_t panes[] = {addMesh(scene, quadMesh("red", red, {1.0f, 2.2f})),
+                            addMesh(scene, quadMesh("green", green, {1.0f, 2.2f})),
+                            addMesh(scene, quadMesh("blue", blue, {1.0f, 2.2f}))};
   const char* names[] = {"red pane", "green pane", "blue pane"};
   for (int i = 0; i < 3; ++i) {
-    const glm::dvec3 at(-3.9 + 0.75 * (i - 1), 1.7, 2.6 + 1.9 * (i - 1));
-    addInstance(scene, names[i], panes[i], lookFrom(at, at - glm::dvec3(-0.9, 0, 0.35 * (i + 1))));
+    const glm::dvec3 at(-4.2 + 0.6 * (i - 1), 2.2, 1.7 + 1.4 * (i - 1));
+    addInstance(scene, names[i], panes[i], lookFrom(at, at - glm::dvec3(-1, 0, 0.25 * (i + 1))));
   }
   scene.lights.push_back(sunLight({1, -0.75, -0.55}, glm::radians(p.find("sun")->second)));
 

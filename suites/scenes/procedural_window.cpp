@@ -17,20 +17,20 @@ Scene make(const ParamValues& p) {
                             .srgb = true};
   const uint32_t rose = addMaterial(scene, glass);
 
-  // Window in the plane x = -4.2 facing +x and the camera; receiver upright at z = -3.
-  const glm::dmat4 window =
-      lookFrom(glm::dvec3(-3.6, 0.2, 2.0), glm::dvec3(-3.6, 0.2, 2.0) - glm::dvec3(0.35, 0, 1));
-  addInstance(scene, "window", addMesh(scene, quadMesh("window", rose, glm::vec2(2.6f))), window);
-  const glm::dmat4 back = lookFrom({2.2, 0, -3.0}, {2.2 - 0.2, 0, -4.0});
-  addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {4.6f, 4.2f})), back);
-  Light sun = sunLight({1.05, -0.06, -1}, glm::radians(p.find("sun")->second));
-  sun.intensity *= 2;  // deep glass lets little through
+  // Both are turned toward the light, which comes from behind the camera's left shoulder.
+  const glm::dvec3 hung(-3.5, 0.2, 2.0), wall(2.9, 0, -3.0);
+  addInstance(scene, "window", addMesh(scene, quadMesh("window", rose, glm::vec2(2.6f))),
+              lookFrom(hung, hung - glm::dvec3(-0.35, 0, 1)));
+  addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {4.0f, 4.0f})),
+              lookFrom(wall, wall - glm::dvec3(-0.3, 0, 1)));
+  Light sun = sunLight({1.2, -0.05, -1}, glm::radians(p.find("sun")->second));
+  sun.intensity *= 1.3f;  // deep glass lets little through
   scene.lights.push_back(sun);
 
   Camera camera;
   camera.name = "view";
   camera.fovY = 0.8;
-  camera.toWorld = lookFrom({-0.2, 0.6, 15.5}, {-0.1, 0, -1});
+  camera.toWorld = lookFrom({0.2, 0.6, 16}, {0.1, 0, -1});
   camera.nearPlane = 2;
   camera.farPlane = 50;
   scene.cameras.push_back(camera);
