@@ -24,25 +24,26 @@ SHARED OpticsData opticsOf(MaterialData m, vec4 base, float transmission, float 
   OpticsData o;
   vec3 rgb = clamp(vec3(base), 0.0f, 1.0f);
   float a = clamp(base.w, 0.0f, 1.0f);
-  // A mask's override is a choice of colour, not of shape: holes stay holes.
   float mask = (m.flags.x & MATERIAL_MASK) != 0u ? (a >= m.emissiveCutoff.w ? 1.0f : 0.0f) : 1.0f;
   if ((m.flags.x & MATERIAL_OVERRIDE) != 0u) {
-    o.alpha = m.overrideOptics.w * mask;
+    o.alpha = m.overrideOptics.w;
     o.t = vec3(m.overrideOptics);
     o.cameraAlpha = o.alpha;
     return o;
   }
-  float coverage = (m.flags.x & MATERIAL_BLEND) != 0u ? a : mask;
-  o.alpha = coverage;
-  o.cameraAlpha = coverage;
+  o.alpha = mask;
+  o.cameraAlpha = mask;
   o.t = vec3(0.0f);
   if ((m.flags.x & MATERIAL_TRANSMISSION) != 0u) {
     vec3 absorbed = vec3(1.0f);
-    if (m.transmission.z > 0.0f)
+    if (m.transmission.z > 0.0f && thickness > 0.0f)
       absorbed = pow(vec3(m.attenuation), vec3(thickness * m.transmission.z));
-    o.t = clamp(transmission * rgb * absorbed, 0.0f, 1.0f);
-    o.cameraAlpha = coverage * (1.0f - transmission);
+    float passes = clamp(transmission, 0.0f, 1.0f);
+    o.t = passes * rgb * absorbed;
+    o.cameraAlpha = mask * (1.0f - passes);
   } else if ((m.flags.x & MATERIAL_BLEND) != 0u) {
+    o.alpha = a;
+    o.cameraAlpha = a;
     o.t = 0.5f * rgb;
   }
   return o;

@@ -10,7 +10,7 @@
 #include "reports/stats/stats.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/analysis.h"
-#include "suites/scenes/scene_hash.h"
+#include "suites/harness/scene_hash.h"
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 
