@@ -15,9 +15,9 @@ namespace sb::test {
 namespace {
 
 struct Opened {
-  // The validator watches the device and must outlive it.
-  std::unique_ptr<rhi::Validator> validator;
+  // The validator detaches itself from the device, so it goes first.
   std::unique_ptr<rhi::Device> device;
+  std::unique_ptr<rhi::Validator> validator;
   std::string why;
 };
 
