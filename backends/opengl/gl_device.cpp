@@ -61,7 +61,7 @@ void Device::doDestroy(rhi::BufferId id) {
 }
 void Device::doDestroy(rhi::TextureId id) {
   m_context->use();
-  m_framebuffers.forget(id);
+  for (GLuint framebuffer : m_framebuffers.forget(id)) m_state.forgetFramebuffer(framebuffer);
   m_objects.textures.remove(id);
   m_state.forgetBindings();
 }

@@ -103,13 +103,17 @@ UniqueName FramebufferCache::create(const FramebufferKey& key) {
   return framebuffer;
 }
 
-void FramebufferCache::forget(rhi::TextureId texture) {
+std::vector<GLuint> FramebufferCache::forget(rhi::TextureId texture) {
+  std::vector<GLuint> deleted;
   std::erase_if(m_framebuffers, [&](const auto& entry) {
     const FramebufferKey& key = entry.first;
-    return key.depth.texture == texture.value ||
-           std::ranges::find(key.colors, texture.value, &AttachmentKey::texture) !=
-               key.colors.end();
+    const bool uses = key.depth.texture == texture.value ||
+                      std::ranges::find(key.colors, texture.value, &AttachmentKey::texture) !=
+                          key.colors.end();
+    if (uses) deleted.push_back(entry.second.get());
+    return uses;
   });
+  return deleted;
 }
 
 }  // namespace opengl

@@ -33,7 +33,8 @@ class FramebufferCache {
   /// The framebuffer of a pass, and its size.
   FramebufferKey key(const rhi::PassDesc& pass) const;
   rhi::Extent2D extent(const FramebufferKey& key) const;
-  void forget(rhi::TextureId texture);
+  /// Returns the names that were deleted.
+  std::vector<GLuint> forget(rhi::TextureId texture);
 
  private:
   UniqueName create(const FramebufferKey& key);

@@ -1,22 +1,33 @@
 // The part of CommandList that begins and ends passes: barriers, framebuffer, clears, resolves.
 #include <algorithm>
+#include <limits>
 
 #include "backends/opengl/gl_command_list.h"
 #include "backends/opengl/gl_debug.h"
 
 namespace opengl {
+namespace {
+
+/// A clear value for an integer format. It saturates: 0xFFFFFFFF, the end of every list, rounds up
+/// to 2^32 as a float.
+template <class T>
+T integer(float value) {
+  return T(std::clamp(double(value), double(std::numeric_limits<T>::min()),
+                      double(std::numeric_limits<T>::max())));
+}
+
+}  // namespace
 
 void CommandList::doBeginPass(const rhi::PassDesc& desc) {
   const Functions& gl = m_context.use();
-  pushGroup(gl, desc.label);
-  m_barriers.beginPass(desc);
   m_resolves.clear();
   m_discards.clear();
-  m_framebuffer = 0;
+  const FramebufferKey key = m_framebuffers.key(desc);
+  m_framebuffer = desc.compute ? 0 : m_framebuffers.get(key);  // may throw: nothing is begun yet
+  pushGroup(gl, desc.label);
+  m_barriers.beginPass(desc);
   if (desc.compute) return;
 
-  const FramebufferKey key = m_framebuffers.key(desc);
-  m_framebuffer = m_framebuffers.get(key);
   const bool depthReadOnly = desc.depth && desc.depth->readOnly;
   m_state.beginPass(m_framebuffer, m_framebuffers.extent(key), depthReadOnly);
   clear(m_framebuffer, desc);
@@ -48,12 +59,14 @@ void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
     const rhi::Format format = m_objects.textures.get(color.view.texture).desc().format;
     switch (rhi::formatInfo(format).kind) {
       case rhi::FormatKind::Uint: {
-        const GLuint value[] = {GLuint(c[0]), GLuint(c[1]), GLuint(c[2]), GLuint(c[3])};
+        const GLuint value[] = {integer<GLuint>(c[0]), integer<GLuint>(c[1]), integer<GLuint>(c[2]),
+                                integer<GLuint>(c[3])};
         gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }
       case rhi::FormatKind::Sint: {
-        const GLint value[] = {GLint(c[0]), GLint(c[1]), GLint(c[2]), GLint(c[3])};
+        const GLint value[] = {integer<GLint>(c[0]), integer<GLint>(c[1]), integer<GLint>(c[2]),
+                               integer<GLint>(c[3])};
         gl.ClearNamedFramebufferiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }

@@ -39,8 +39,10 @@ void State::forgetBindings() {
   // Names are reused by the driver, so equality with a mirrored name proves nothing any more.
   m_gl.UseProgram(0);
   m_program = 0;
-  m_gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  m_framebuffer = 0;
+}
+
+void State::forgetFramebuffer(GLuint framebuffer) {
+  if (m_framebuffer == framebuffer) m_framebuffer = 0;
 }
 
 void State::enable(GLenum capability, bool on, bool& current) {

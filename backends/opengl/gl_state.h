@@ -14,8 +14,10 @@ class State {
  public:
   State(const Functions& gl, Objects& objects);
 
-  /// After GL objects were deleted: the driver has reset bindings behind our back.
+  /// After objects were deleted, perhaps within a pass: the driver has reset bindings behind our
+  /// back. The framebuffer stays bound unless it is the one that went.
   void forgetBindings();
+  void forgetFramebuffer(GLuint framebuffer);
 
   /// Binds and notes what the pass allows.
   void beginPass(GLuint framebuffer, rhi::Extent2D extent, bool depthReadOnly);

@@ -102,6 +102,54 @@ GPU_TEST(Frames, ObjectsMayGoWhileTheirFrameIsInFlight) {
   EXPECT_EQ(readAll<uint32_t>(device(), log), (std::vector<uint32_t>{4, 10, 11, 12, 13}));
 }
 
+GPU_TEST(Frames, ObjectsMayComeAndGoWithinAPass) {
+  rhi::Texture target =
+      texture2D(device(), rhi::Format::R32Uint, 4, 4, rhi::TextureUse::ColorTarget);
+  rhi::Pipeline pipeline =
+      device().createPipeline(graphics("fullscreen", "coordinates", {rhi::Format::R32Uint}));
+  frame(device(), [&](rhi::CommandList& list) {
+    const rhi::ColorAttachment color{.view = {.texture = target}, .clear = {9, 0, 0, 0}};
+    auto pass = list.beginPass({.label = "pass", .colors = {&color, 1}});
+    for (int32_t row = 0; row < 3; ++row) {
+      list.draw({.pipeline = pipeline, .scissor = rhi::Rect{0, row, 4, 1}}, {.vertexCount = 3});
+      device().createTexture({.label = "gone",
+                              .format = rhi::Format::R8Unorm,
+                              .use = rhi::TextureUse::ColorTarget});
+      device().createBuffer({.label = "gone", .size = 16, .use = rhi::BufferUse::Uniform});
+    }
+  });
+  const auto texels = readTexels<uint32_t>(device(), target);
+  for (uint32_t y = 0; y < 4; ++y) EXPECT_EQ(texels[y * 4 + 1], y < 3 ? y * 1000 + 1 : 9) << y;
+}
+
+TEST(Frames, SeveralDevicesRecordAtTheSameTime) {
+  std::vector<rhi::Device*> devices;
+  for (const std::string& backend : gpuBackends())
+    if (rhi::Device* device = sharedDevice(backend)) devices.push_back(device);
+  if (devices.size() < 2) GTEST_SKIP() << "needs two devices";
+  std::vector<rhi::Buffer> values, logs;
+  std::vector<rhi::Pipeline> pipelines;
+  std::vector<rhi::CommandList*> lists;
+  for (rhi::Device* device : devices) {
+    values.push_back(bufferOf(*device, std::vector<uint32_t>{0}));
+    logs.push_back(bufferOf(*device, std::vector<uint32_t>(5, 0)));
+    pipelines.push_back(computePipeline(*device, "append"));
+    lists.push_back(&device->beginFrame());
+  }
+  for (uint32_t step = 0; step < 4; ++step)
+    for (size_t i = 0; i < devices.size(); ++i) {
+      lists[i]->write(values[i], 0, word(uint32_t(i) * 100 + step));
+      append(*lists[i], pipelines[i], values[i], logs[i]);
+    }
+  for (rhi::Device* device : devices) device->endFrame();
+  for (size_t i = 0; i < devices.size(); ++i) {
+    const uint32_t base = uint32_t(i) * 100;
+    EXPECT_EQ(readAll<uint32_t>(*devices[i], logs[i]),
+              (std::vector<uint32_t>{4, base, base + 1, base + 2, base + 3}));
+    for (const rhi::Message& m : devices[i]->takeMessages()) ADD_FAILURE() << m.text;
+  }
+}
+
 GPU_TEST(Frames, LedgerKnowsWhatIsAlive) {
   const uint64_t before = device().ledger().totalBytes();
   {

@@ -113,6 +113,18 @@ GPU_TEST(ReadBack, ClearsOfEveryColorTargetFormat) {
   }
 }
 
+GPU_TEST(ReadBack, IntegerClearsSaturate) {
+  // The end of every linked list is 0xFFFFFFFF, which as a float is 2^32.
+  rhi::Texture texture =
+      texture2D(device(), rhi::Format::RG32Uint, 1, 1, rhi::TextureUse::ColorTarget);
+  frame(device(), [&](rhi::CommandList& list) {
+    const rhi::ColorAttachment color{.view = {.texture = texture},
+                                     .clear = {float(0xFFFFFFFFu), -1, 0, 0}};
+    list.beginPass({.label = "clear", .colors = {&color, 1}}).end();
+  });
+  EXPECT_EQ(readTexels<uint32_t>(device(), texture), (std::vector<uint32_t>{0xFFFFFFFFu, 0}));
+}
+
 GPU_TEST(ReadBack, DepthAndStencilAspectsAreApart) {
   int tested = 0;
   for (rhi::Format format : formats(true)) {
