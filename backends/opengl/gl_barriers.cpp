@@ -10,11 +10,16 @@ constexpr GLbitfield kStorageBits =
 
 GLbitfield accessBit(const rhi::ResourceUse& use) {
   switch (use.access) {
-    case rhi::Access::Uniform: return GL_UNIFORM_BARRIER_BIT;
-    case rhi::Access::Vertex: return GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
-    case rhi::Access::Index: return GL_ELEMENT_ARRAY_BARRIER_BIT;
-    case rhi::Access::Indirect: return GL_COMMAND_BARRIER_BIT;
-    case rhi::Access::Sampled: return GL_TEXTURE_FETCH_BARRIER_BIT;
+    case rhi::Access::Uniform:
+      return GL_UNIFORM_BARRIER_BIT;
+    case rhi::Access::Vertex:
+      return GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
+    case rhi::Access::Index:
+      return GL_ELEMENT_ARRAY_BARRIER_BIT;
+    case rhi::Access::Indirect:
+      return GL_COMMAND_BARRIER_BIT;
+    case rhi::Access::Sampled:
+      return GL_TEXTURE_FETCH_BARRIER_BIT;
     case rhi::Access::StorageRead:
     case rhi::Access::StorageWrite:
       return use.buffer ? GL_SHADER_STORAGE_BARRIER_BIT : GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
@@ -43,8 +48,8 @@ void Barriers::beginPass(const rhi::PassDesc& pass) {
   for (const rhi::ResourceUse& use : pass.reads) bits |= accessBit(use);
   for (const rhi::ResourceUse& use : pass.writes) bits |= accessBit(use);
   if (!pass.colors.empty() || pass.depth) bits |= GL_FRAMEBUFFER_BARRIER_BIT;
-  // Stores must not overtake the reads of earlier passes either (write after read). Those reads need
-  // no declaration where uploads wrote the data, so any earlier pass may have made one.
+  // Stores must not overtake the reads of earlier passes either (write after read). Those reads
+  // need no declaration where uploads wrote the data, so any earlier pass may have made one.
   if (m_storing) {
     if (m_passSinceBarrier) m_stale |= kStorageBits;
     bits |= kStorageBits;

@@ -19,9 +19,9 @@ class Barriers {
 
  private:
   const Functions& m_gl;
-  GLbitfield m_stale = 0;        ///< kinds of access that would not yet see the last stores
+  GLbitfield m_stale = 0;  ///< kinds of access that would not yet see the last stores
   bool m_passSinceBarrier = false;
-  bool m_storing = false;          ///< the current pass declared StorageWrite
+  bool m_storing = false;  ///< the current pass declared StorageWrite
 };
 
 }  // namespace opengl

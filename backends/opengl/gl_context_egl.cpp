@@ -24,23 +24,34 @@ struct Egl {
   decltype(&::eglDestroyContext) destroyContext = nullptr;
   decltype(&::eglMakeCurrent) makeCurrent = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC getPlatformDisplay = nullptr;
-  PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;             // null: no enumeration
+  PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;  // null: no enumeration
   PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;
 };
 
 std::string eglErrorName(EGLint code) {
   switch (code) {
-    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS: return "EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONTEXT: return "EGL_BAD_CONTEXT";
-    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
-    case EGL_BAD_DISPLAY: return "EGL_BAD_DISPLAY";
-    case EGL_BAD_MATCH: return "EGL_BAD_MATCH";
-    case EGL_BAD_PARAMETER: return "EGL_BAD_PARAMETER";
-    case EGL_CONTEXT_LOST: return "EGL_CONTEXT_LOST";
-    default: return "EGL error " + std::to_string(code);
+    case EGL_NOT_INITIALIZED:
+      return "EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS:
+      return "EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC:
+      return "EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE:
+      return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONTEXT:
+      return "EGL_BAD_CONTEXT";
+    case EGL_BAD_CONFIG:
+      return "EGL_BAD_CONFIG";
+    case EGL_BAD_DISPLAY:
+      return "EGL_BAD_DISPLAY";
+    case EGL_BAD_MATCH:
+      return "EGL_BAD_MATCH";
+    case EGL_BAD_PARAMETER:
+      return "EGL_BAD_PARAMETER";
+    case EGL_CONTEXT_LOST:
+      return "EGL_CONTEXT_LOST";
+    default:
+      return "EGL error " + std::to_string(code);
   }
 }
 
@@ -93,10 +104,15 @@ class EglContext : public Context {
       if (!egl.chooseConfig(d, wanted, &config, 1, &count) || count == 0)
         fail(egl, "eglChooseConfig", "no configuration renders OpenGL");
     }
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 debug ? EGL_TRUE : EGL_FALSE,
+                                 EGL_NONE};
     m_context = egl.createContext(d, config, EGL_NO_CONTEXT, attributes);
     if (m_context == EGL_NO_CONTEXT)
       fail(egl, "eglCreateContext", "the driver gives no OpenGL 4.5 core context");
@@ -150,8 +166,8 @@ const Egl& loadEgl() {
     core(e.destroyContext, "eglDestroyContext");
     core(e.makeCurrent, "eglMakeCurrent");
     auto extension = [&](auto& pointer, const char* name) {
-      pointer = reinterpret_cast<std::remove_reference_t<decltype(pointer)>>(
-          e.getProcAddress(name));
+      pointer =
+          reinterpret_cast<std::remove_reference_t<decltype(pointer)>>(e.getProcAddress(name));
     };
     extension(e.getPlatformDisplay, "eglGetPlatformDisplayEXT");
     extension(e.queryDevices, "eglQueryDevicesEXT");

@@ -19,11 +19,18 @@ struct Osmesa {
 class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(const Osmesa& osmesa) : m_osmesa(osmesa) {
-    const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA,         OSMESA_DEPTH_BITS,
-                              0,              OSMESA_PROFILE,      OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,        4,
-                              OSMESA_CONTEXT_MINOR_VERSION,        5,
-                              0,              0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              0,
+                              0};
     m_context = osmesa.createContext(attributes, nullptr);
     if (!m_context)
       throw rhi::Error("OSMesaCreateContextAttribs", "",

@@ -60,8 +60,8 @@ std::set<rhi::Feature> features(const Functions& gl, const std::set<std::string>
     return std::ranges::any_of(names, [&](const char* n) { return ext.contains(n); });
   };
   // Required by OpenGL 4.5 itself.
-  std::set<F> out = {F::DepthClamp, F::GeometryShader, F::SampleRateShading, F::IndependentBlend,
-                     F::LogicOp, F::MultiDrawIndirect};
+  std::set<F> out = {F::DepthClamp,       F::GeometryShader, F::SampleRateShading,
+                     F::IndependentBlend, F::LogicOp,        F::MultiDrawIndirect};
   auto add = [&](F feature, bool present) {
     if (present) out.insert(feature);
   };
@@ -70,8 +70,8 @@ std::set<rhi::Feature> features(const Functions& gl, const std::set<std::string>
   // Both may be zero in the fragment stage: the specification asks for them in compute only.
   add(F::FragmentStoresAndAtomics, integer(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0 &&
                                        integer(gl, GL_MAX_FRAGMENT_IMAGE_UNIFORMS) > 0);
-  add(F::PipelineStatistics, any({"GL_ARB_pipeline_statistics_query"}) ||
-                                 integer(gl, GL_MINOR_VERSION) >= 6);
+  add(F::PipelineStatistics,
+      any({"GL_ARB_pipeline_statistics_query"}) || integer(gl, GL_MINOR_VERSION) >= 6);
   add(F::PreciseOcclusion, counterBits(gl, GL_SAMPLES_PASSED) > 0);
   add(F::SamplerAnisotropy,
       any({"GL_ARB_texture_filter_anisotropic", "GL_EXT_texture_filter_anisotropic"}));
@@ -97,12 +97,12 @@ std::vector<uint32_t> sampleCounts(const Functions& gl, GLenum internalFormat) {
 
 rhi::Limits limits(const Functions& gl) {
   rhi::Limits out;
-  out.maxTexture2D = uint32_t(std::min(integer(gl, GL_MAX_TEXTURE_SIZE),
-                                       integer(gl, GL_MAX_RENDERBUFFER_SIZE)));
+  out.maxTexture2D =
+      uint32_t(std::min(integer(gl, GL_MAX_TEXTURE_SIZE), integer(gl, GL_MAX_RENDERBUFFER_SIZE)));
   out.maxTexture3D = uint32_t(integer(gl, GL_MAX_3D_TEXTURE_SIZE));
   out.maxTextureLayers = uint32_t(integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
-  out.maxColorAttachments = uint32_t(
-      std::min(integer(gl, GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL_MAX_DRAW_BUFFERS)));
+  out.maxColorAttachments =
+      uint32_t(std::min(integer(gl, GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL_MAX_DRAW_BUFFERS)));
   const auto color = sampleCounts(gl, GL_RGBA8), depth = sampleCounts(gl, GL_DEPTH_COMPONENT32F);
   std::ranges::set_intersection(color, depth, std::back_inserter(out.sampleCounts));
   GLint64 storage = 0;
@@ -166,15 +166,14 @@ rhi::FormatCaps queryFormatCaps(const Functions& gl, rhi::Format format) {
   const bool renderable = supported(GL_FRAMEBUFFER_RENDERABLE);
   caps.colorTarget = renderable && !info.depth;
   caps.depthTarget = renderable && info.depth;
-  const bool isInteger =
-      info.kind == rhi::FormatKind::Uint || info.kind == rhi::FormatKind::Sint;
+  const bool isInteger = info.kind == rhi::FormatKind::Uint || info.kind == rhi::FormatKind::Sint;
   caps.blend = caps.colorTarget && !isInteger && supported(GL_FRAMEBUFFER_BLEND);
   // Not every driver answers GL_NONE for formats that image units refuse; those have no class.
   caps.storage = !info.depth && query(GL_IMAGE_COMPATIBILITY_CLASS) != GL_NONE &&
                  supported(GL_SHADER_IMAGE_LOAD) && supported(GL_SHADER_IMAGE_STORE);
-  caps.storageAtomic =
-      caps.storage && (format == rhi::Format::R32Uint || format == rhi::Format::R32Sint) &&
-      supported(GL_SHADER_IMAGE_ATOMIC);
+  caps.storageAtomic = caps.storage &&
+                       (format == rhi::Format::R32Uint || format == rhi::Format::R32Sint) &&
+                       supported(GL_SHADER_IMAGE_ATOMIC);
   caps.sampleCounts = renderable ? sampleCounts(gl, internalFormat) : std::vector<uint32_t>{1};
   return caps;
 }

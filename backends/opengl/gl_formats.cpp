@@ -41,24 +41,34 @@ const FormatTriple& formatTriple(rhi::Format format) {
 
 VertexFormatInfo vertexFormat(rhi::VertexFormat format) {
   switch (format) {
-    case rhi::VertexFormat::Float: return {1, GL_FLOAT};
-    case rhi::VertexFormat::Float2: return {2, GL_FLOAT};
-    case rhi::VertexFormat::Float3: return {3, GL_FLOAT};
-    case rhi::VertexFormat::Float4: return {4, GL_FLOAT};
-    case rhi::VertexFormat::Uint: return {1, GL_UNSIGNED_INT, false, true};
-    case rhi::VertexFormat::Uint2: return {2, GL_UNSIGNED_INT, false, true};
-    case rhi::VertexFormat::Uint4: return {4, GL_UNSIGNED_INT, false, true};
-    case rhi::VertexFormat::Unorm8x4: return {4, GL_UNSIGNED_BYTE, true};
+    case rhi::VertexFormat::Float:
+      return {1, GL_FLOAT};
+    case rhi::VertexFormat::Float2:
+      return {2, GL_FLOAT};
+    case rhi::VertexFormat::Float3:
+      return {3, GL_FLOAT};
+    case rhi::VertexFormat::Float4:
+      return {4, GL_FLOAT};
+    case rhi::VertexFormat::Uint:
+      return {1, GL_UNSIGNED_INT, false, true};
+    case rhi::VertexFormat::Uint2:
+      return {2, GL_UNSIGNED_INT, false, true};
+    case rhi::VertexFormat::Uint4:
+      return {4, GL_UNSIGNED_INT, false, true};
+    case rhi::VertexFormat::Unorm8x4:
+      return {4, GL_UNSIGNED_BYTE, true};
   }
   return {};
 }
 
 GLenum textureTarget(rhi::TextureKind kind, uint32_t samples) {
   switch (kind) {
-    case rhi::TextureKind::Tex2D: return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    case rhi::TextureKind::Tex2D:
+      return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
     case rhi::TextureKind::Tex2DArray:
       return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_ARRAY;
-    case rhi::TextureKind::Tex3D: return GL_TEXTURE_3D;
+    case rhi::TextureKind::Tex3D:
+      return GL_TEXTURE_3D;
   }
   return GL_TEXTURE_2D;
 }
@@ -82,15 +92,14 @@ GLenum blendOp(rhi::BlendOp op) {
 }
 
 GLenum blendFactor(rhi::BlendFactor factor) {
-  static constexpr GLenum kTable[] = {
-      GL_ZERO,           GL_ONE,
-      GL_SRC_COLOR,      GL_ONE_MINUS_SRC_COLOR,
-      GL_DST_COLOR,      GL_ONE_MINUS_DST_COLOR,
-      GL_SRC_ALPHA,      GL_ONE_MINUS_SRC_ALPHA,
-      GL_DST_ALPHA,      GL_ONE_MINUS_DST_ALPHA,
-      GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
-      GL_SRC1_COLOR,     GL_ONE_MINUS_SRC1_COLOR,
-      GL_SRC1_ALPHA,     GL_ONE_MINUS_SRC1_ALPHA};
+  static constexpr GLenum kTable[] = {GL_ZERO,           GL_ONE,
+                                      GL_SRC_COLOR,      GL_ONE_MINUS_SRC_COLOR,
+                                      GL_DST_COLOR,      GL_ONE_MINUS_DST_COLOR,
+                                      GL_SRC_ALPHA,      GL_ONE_MINUS_SRC_ALPHA,
+                                      GL_DST_ALPHA,      GL_ONE_MINUS_DST_ALPHA,
+                                      GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR,
+                                      GL_SRC1_COLOR,     GL_ONE_MINUS_SRC1_COLOR,
+                                      GL_SRC1_ALPHA,     GL_ONE_MINUS_SRC1_ALPHA};
   return kTable[size_t(factor)];
 }
 

@@ -9,13 +9,18 @@ namespace {
 
 std::string statusName(GLenum status) {
   switch (status) {
-    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+      return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
       return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
-    case GL_FRAMEBUFFER_UNSUPPORTED: return "GL_FRAMEBUFFER_UNSUPPORTED";
-    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE: return "GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE";
-    case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS: return "GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS";
-    default: return "framebuffer status " + std::to_string(status);
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+      return "GL_FRAMEBUFFER_UNSUPPORTED";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+      return "GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE";
+    case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
+      return "GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS";
+    default:
+      return "framebuffer status " + std::to_string(status);
   }
 }
 
@@ -28,7 +33,8 @@ AttachmentKey FramebufferCache::attachment(const rhi::TextureView& view) const {
 
 FramebufferKey FramebufferCache::key(const rhi::PassDesc& pass) const {
   FramebufferKey key;
-  for (const rhi::ColorAttachment& color : pass.colors) key.colors.push_back(attachment(color.view));
+  for (const rhi::ColorAttachment& color : pass.colors)
+    key.colors.push_back(attachment(color.view));
   if (pass.depth) key.depth = attachment(pass.depth->view);
   if (key.colors.empty() && !pass.depth) {
     key.width = pass.extent.width;
@@ -81,8 +87,7 @@ UniqueName FramebufferCache::create(const FramebufferKey& key) {
   if (key.depth.texture) {
     const auto& desc = m_objects.textures.get({key.depth.texture}).desc();
     attach(name,
-           rhi::formatInfo(desc.format).stencil ? GL_DEPTH_STENCIL_ATTACHMENT
-                                                : GL_DEPTH_ATTACHMENT,
+           rhi::formatInfo(desc.format).stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
            key.depth);
   } else if (key.colors.empty()) {
     m_gl.NamedFramebufferParameteri(name, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(key.width));
@@ -107,9 +112,9 @@ std::vector<GLuint> FramebufferCache::forget(rhi::TextureId texture) {
   std::vector<GLuint> deleted;
   std::erase_if(m_framebuffers, [&](const auto& entry) {
     const FramebufferKey& key = entry.first;
-    const bool uses = key.depth.texture == texture.value ||
-                      std::ranges::find(key.colors, texture.value, &AttachmentKey::texture) !=
-                          key.colors.end();
+    const bool uses =
+        key.depth.texture == texture.value ||
+        std::ranges::find(key.colors, texture.value, &AttachmentKey::texture) != key.colors.end();
     if (uses) deleted.push_back(entry.second.get());
     return uses;
   });

@@ -70,7 +70,8 @@ void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
         gl.ClearNamedFramebufferiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }
-      default: gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), c.data());
+      default:
+        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), c.data());
     }
   }
   if (!desc.depth || desc.depth->load != rhi::LoadOp::Clear) return;
@@ -90,8 +91,7 @@ void CommandList::resolve(const Resolve& resolve) {
   const auto w = GLint(extent.width), h = GLint(extent.height);
   // A blit reads and writes the first layer of a layered attachment only.
   for (uint32_t layer = 0; layer < from.layerCount; ++layer) {
-    const FramebufferKey source{
-        .colors = {{from.texture, from.mip, from.baseLayer + layer, 1}}};
+    const FramebufferKey source{.colors = {{from.texture, from.mip, from.baseLayer + layer, 1}}};
     const FramebufferKey target{.colors = {{to.texture, to.mip, to.baseLayer + layer, 1}}};
     gl.BlitNamedFramebuffer(m_framebuffers.get(source), m_framebuffers.get(target), 0, 0, w, h, 0,
                             0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -103,8 +103,7 @@ void CommandList::doEndPass() {
   if (!m_resolves.empty()) m_state.openMasks();
   for (const Resolve& r : m_resolves) resolve(r);
   if (!m_discards.empty())
-    gl.InvalidateNamedFramebufferData(m_framebuffer, GLsizei(m_discards.size()),
-                                      m_discards.data());
+    gl.InvalidateNamedFramebufferData(m_framebuffer, GLsizei(m_discards.size()), m_discards.data());
   m_barriers.endPass();
   popGroup(gl);
 }

@@ -11,9 +11,9 @@ StencilOps stencilOps(const rhi::StencilFace& face) {
 }
 
 BlendTarget blendTarget(const rhi::BlendState& b) {
-  return {b.enabled,
-          blendFactor(b.srcColor), blendFactor(b.dstColor), blendOp(b.colorOp),
-          blendFactor(b.srcAlpha), blendFactor(b.dstAlpha), blendOp(b.alphaOp)};
+  return {b.enabled,          blendFactor(b.srcColor), blendFactor(b.dstColor),
+          blendOp(b.colorOp), blendFactor(b.srcAlpha), blendFactor(b.dstAlpha),
+          blendOp(b.alphaOp)};
 }
 
 FixedState fixedState(const rhi::GraphicsPipelineDesc& desc) {

@@ -16,7 +16,8 @@ namespace {
 /// A literal that GLSL reads as exactly these bits, of exactly this type.
 std::string literal(char type, uint32_t bits) {
   switch (type) {
-    case 'b': return bits ? "true" : "false";
+    case 'b':
+      return bits ? "true" : "false";
     case 'i': {
       const auto value = std::bit_cast<int32_t>(bits);
       // The literal of the least int would be a negated overflow.
@@ -32,7 +33,8 @@ std::string literal(char type, uint32_t bits) {
       if (number.find_first_of(".e") == std::string::npos) number.insert(number.size() - 1, ".0");
       return number;
     }
-    default: return std::to_string(bits) + "u";
+    default:
+      return std::to_string(bits) + "u";
   }
 }
 
@@ -52,8 +54,7 @@ std::string infoLog(const Functions& gl, GLuint name, bool program) {
   return log;
 }
 
-UniqueName compileShader(const Functions& gl, const std::string& label,
-                         const rhi::ShaderCode& code,
+UniqueName compileShader(const Functions& gl, const std::string& label, const rhi::ShaderCode& code,
                          std::span<const rhi::SpecConstant> constants) {
   const GLuint name = gl.CreateShader(shaderStage(code.stage));
   UniqueName shader(gl, name, [](const Functions& f, GLuint n) { f.DeleteShader(n); });

@@ -8,9 +8,8 @@ namespace {
 // ARB_pipeline_statistics_query; <GL/glcorearb.h> has the names of OpenGL 4.6. The order is that of
 // Device::readQueries.
 const std::vector<GLenum> kStatistics = {
-    GL_VERTICES_SUBMITTED,        GL_PRIMITIVES_SUBMITTED,
-    GL_VERTEX_SHADER_INVOCATIONS, GL_CLIPPING_INPUT_PRIMITIVES,
-    GL_CLIPPING_OUTPUT_PRIMITIVES, GL_FRAGMENT_SHADER_INVOCATIONS,
+    GL_VERTICES_SUBMITTED,        GL_PRIMITIVES_SUBMITTED,       GL_VERTEX_SHADER_INVOCATIONS,
+    GL_CLIPPING_INPUT_PRIMITIVES, GL_CLIPPING_OUTPUT_PRIMITIVES, GL_FRAGMENT_SHADER_INVOCATIONS,
     GL_COMPUTE_SHADER_INVOCATIONS};
 
 }  // namespace
@@ -24,8 +23,12 @@ QueryPool::QueryPool(const Functions& gl, const rhi::QueryPoolDesc& desc, bool s
       else
         m_targets = {GL_TIMESTAMP};
       break;
-    case rhi::QueryKind::Occlusion: m_targets = {GL_SAMPLES_PASSED}; break;
-    case rhi::QueryKind::PipelineStatistics: m_targets = kStatistics; break;
+    case rhi::QueryKind::Occlusion:
+      m_targets = {GL_SAMPLES_PASSED};
+      break;
+    case rhi::QueryKind::PipelineStatistics:
+      m_targets = kStatistics;
+      break;
   }
   // Not glCreateQueries: Mesa 22 refuses the targets of pipeline statistics there, though it takes
   // them in glBeginQuery.

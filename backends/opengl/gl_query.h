@@ -1,5 +1,6 @@
 // A pool of queries. Timestamps on software devices are taken by the host after glFinish, because
-// llvmpipe answers a query from within the bins of its scene and misses most of the work (facts.md).
+// llvmpipe answers a query from within the bins of its scene and misses most of the work
+// (facts.md).
 #pragma once
 
 #include <span>
@@ -24,8 +25,8 @@ class QueryPool {
  private:
   const Functions* m_gl;
   rhi::QueryPoolDesc m_desc;
-  std::vector<GLenum> m_targets;     ///< queries that one index of the pool stands for
-  std::vector<UniqueName> m_names;   ///< index-major; empty for host timestamps
+  std::vector<GLenum> m_targets;    ///< queries that one index of the pool stands for
+  std::vector<UniqueName> m_names;  ///< index-major; empty for host timestamps
   std::vector<uint64_t> m_hostTimes;
 };
 

@@ -72,7 +72,8 @@ class State {
   // Mirrors of the context; the initial values are OpenGL's own.
   GLuint m_framebuffer = 0;
   GLuint m_program = 0;
-  rhi::PipelineId m_pipeline;  ///< whose fixed state is applied; none after anything else touched it
+  rhi::PipelineId
+      m_pipeline;  ///< whose fixed state is applied; none after anything else touched it
   bool m_cull = false, m_clamp = false, m_bias = false, m_sampleShading = false;
   GLenum m_cullFace = GL_BACK;
   std::array<float, 2> m_depthBias = {0, 0};

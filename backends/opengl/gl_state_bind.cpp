@@ -79,8 +79,7 @@ void State::bind(const rhi::Binding& b) {
     return;
   }
   // An image unit takes a level but only one or all layers: ranges of layers go through a view.
-  const bool allLayers =
-      !texture.isArray() || range.layerCount == texture.layers(range.baseMip);
+  const bool allLayers = !texture.isArray() || range.layerCount == texture.layers(range.baseMip);
   const GLuint name =
       allLayers ? texture.name()
                 : texture.viewName({0, texture.desc().mips, range.baseLayer, range.layerCount});

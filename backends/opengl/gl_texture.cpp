@@ -29,7 +29,9 @@ Texture::Texture(const Functions& gl, const rhi::TextureDesc& desc)
   const auto levels = GLsizei(desc.mips), samples = GLsizei(desc.samples);
   const auto w = GLsizei(desc.width), h = GLsizei(desc.height);
   switch (m_target) {
-    case GL_TEXTURE_2D: gl.TextureStorage2D(name, levels, format, w, h); break;
+    case GL_TEXTURE_2D:
+      gl.TextureStorage2D(name, levels, format, w, h);
+      break;
     case GL_TEXTURE_2D_ARRAY:
       gl.TextureStorage3D(name, levels, format, w, h, GLsizei(desc.layers));
       break;
@@ -54,8 +56,7 @@ rhi::Extent2D Texture::extent(uint32_t mip) const {
 }
 
 uint32_t Texture::layers(uint32_t mip) const {
-  return m_desc.kind == rhi::TextureKind::Tex3D ? std::max(1u, m_desc.depth >> mip)
-                                                : m_desc.layers;
+  return m_desc.kind == rhi::TextureKind::Tex3D ? std::max(1u, m_desc.depth >> mip) : m_desc.layers;
 }
 
 ViewRange Texture::resolve(const rhi::TextureView& view) const {

@@ -17,16 +17,16 @@ rhi::Texture depthQuad(rhi::Device& device, std::vector<float> texels) {
 GPU_TEST(CompareSamplers, PercentageCloserFilteringBlendsComparisons) {
   // Columns 0.2 and 0.8; a receiver at 0.49 is lit by the right column alone: fx = 0.75 of it.
   rhi::Texture map = depthQuad(device(), {0.2f, 0.8f, 0.2f, 0.8f});
-  const auto value = sampleAt(device(), "sample_shadow", {.texture = map},
-                              {.compare = rhi::CompareOp::LessOrEqual},
-                              {{0.25f + 0.375f, 0.5f, 0, 0.49f}})[0];
+  const auto value =
+      sampleAt(device(), "sample_shadow", {.texture = map},
+               {.compare = rhi::CompareOp::LessOrEqual}, {{0.25f + 0.375f, 0.5f, 0, 0.49f}})[0];
   EXPECT_NEAR(value[0], 0.75f, 1.0f / 256);
   // Rows 0.2 and 0.8.
   rhi::Texture rows = depthQuad(device(), {0.2f, 0.2f, 0.8f, 0.8f});
-  EXPECT_NEAR(sampleAt(device(), "sample_shadow", {.texture = rows},
-                       {.compare = rhi::CompareOp::LessOrEqual},
-                       {{0.5f, 0.25f + 0.125f, 0, 0.49f}})[0][0],
-              0.25f, 1.0f / 256);
+  EXPECT_NEAR(
+      sampleAt(device(), "sample_shadow", {.texture = rows},
+               {.compare = rhi::CompareOp::LessOrEqual}, {{0.5f, 0.25f + 0.125f, 0, 0.49f}})[0][0],
+      0.25f, 1.0f / 256);
 }
 
 GPU_TEST(CompareSamplers, EveryComparison) {

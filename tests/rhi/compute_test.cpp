@@ -44,8 +44,8 @@ GPU_TEST(Compute, IndirectDispatchTakesArgumentsWrittenOnTheGpu) {
                 {rhi::use(args, rhi::Access::StorageWrite)}, {7, 1, 1});
     const rhi::ResourceUse reads[] = {rhi::use(args, rhi::Access::Indirect)};
     const rhi::ResourceUse writes[] = {rhi::use(out, rhi::Access::StorageWrite)};
-    auto pass = list.beginPass(
-        {.label = "indirect", .compute = true, .reads = reads, .writes = writes});
+    auto pass =
+        list.beginPass({.label = "indirect", .compute = true, .reads = reads, .writes = writes});
     const rhi::Binding bindings[] = {rhi::storageAt(0, out)};
     list.dispatchIndirect({.pipeline = fill, .bindings = bindings}, args, 16);
   });

@@ -10,8 +10,8 @@ using Texel = std::array<uint16_t, 4>;
 
 /// Draws triangle.vert's two triangles with a cull mode and returns the picture.
 std::vector<Texel> drawTriangles(rhi::Device& device, rhi::CullMode cull) {
-  rhi::Texture target = texture2D(device, rhi::Format::RGBA16Uint, kSize, kSize,
-                                  rhi::TextureUse::ColorTarget);
+  rhi::Texture target =
+      texture2D(device, rhi::Format::RGBA16Uint, kSize, kSize, rhi::TextureUse::ColorTarget);
   auto desc = graphics("triangle", "facing", {rhi::Format::RGBA16Uint});
   desc.raster.cull = cull;
   rhi::Pipeline pipeline = device.createPipeline(desc);
@@ -46,8 +46,8 @@ GPU_TEST(Convention, CullsByWindingInClipSpace) {
 }
 
 GPU_TEST(Convention, StencilFacesFollowTheWinding) {
-  rhi::Texture depth = texture2D(device(), rhi::Format::D32FloatS8, kSize, kSize,
-                                 rhi::TextureUse::DepthTarget);
+  rhi::Texture depth =
+      texture2D(device(), rhi::Format::D32FloatS8, kSize, kSize, rhi::TextureUse::DepthTarget);
   auto desc = graphics("triangle", "");
   desc.depthFormat = rhi::Format::D32FloatS8;
   desc.stencil.test = true;
@@ -67,8 +67,8 @@ GPU_TEST(Convention, StencilFacesFollowTheWinding) {
 }
 
 GPU_TEST(Convention, PointCoordinatesGrowWithTheRowAndDepthIsZeroToOne) {
-  rhi::Texture target = texture2D(device(), rhi::Format::RGBA32Float, kSize, kSize,
-                                  rhi::TextureUse::ColorTarget);
+  rhi::Texture target =
+      texture2D(device(), rhi::Format::RGBA32Float, kSize, kSize, rhi::TextureUse::ColorTarget);
   auto desc = graphics("point", "point", {rhi::Format::RGBA32Float});
   desc.topology = rhi::Topology::PointList;
   rhi::Pipeline pipeline = device().createPipeline(desc);

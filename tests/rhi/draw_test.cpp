@@ -47,11 +47,10 @@ GPU_TEST(Draws, FirstVertexAndInstances) {
   Cells cells(device());
   EXPECT_EQ(cells.run(device(), {}, [](auto& list, auto& s) { list.draw(s, {.vertexCount = 12}); }),
             (Row{1, 2, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(cells.run(device(), {},
-                      [](auto& list, auto& s) {
-                        list.draw(s, {.vertexCount = 6, .firstVertex = 18});
-                      }),
-            (Row{0, 0, 0, 4, 0, 0, 0, 0}));
+  EXPECT_EQ(
+      cells.run(device(), {},
+                [](auto& list, auto& s) { list.draw(s, {.vertexCount = 6, .firstVertex = 18}); }),
+      (Row{0, 0, 0, 4, 0, 0, 0, 0}));
   EXPECT_EQ(cells.run(device(), {},
                       [](auto& list, auto& s) {
                         list.draw(s, {.vertexCount = 6, .instanceCount = 3, .firstVertex = 6});
@@ -68,8 +67,10 @@ GPU_TEST(Draws, VertexBufferOffset) {
 
 GPU_TEST(Draws, IndexTypesAndEveryOffset) {
   Cells cells(device());
-  rhi::Buffer words = bufferOf(device(), std::vector<uint32_t>{9, 9, 0, 1, 2, 3, 4, 5, 12, 13, 14, 15, 16, 17});
-  rhi::Buffer shorts = bufferOf(device(), std::vector<uint16_t>{9, 9, 0, 1, 2, 3, 4, 5, 12, 13, 14, 15, 16, 17});
+  rhi::Buffer words =
+      bufferOf(device(), std::vector<uint32_t>{9, 9, 0, 1, 2, 3, 4, 5, 12, 13, 14, 15, 16, 17});
+  rhi::Buffer shorts =
+      bufferOf(device(), std::vector<uint16_t>{9, 9, 0, 1, 2, 3, 4, 5, 12, 13, 14, 15, 16, 17});
   for (bool wide : {true, false}) {
     rhi::DrawState state{.indexBuffer = wide ? words : shorts,
                          .indexOffset = wide ? 4u : 2u,
@@ -79,17 +80,18 @@ GPU_TEST(Draws, IndexTypesAndEveryOffset) {
                           list.drawIndexed(s, {.indexCount = 12, .firstIndex = 1});
                         }),
               (Row{1, 0, 3, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(
+        cells.run(device(), state,
+                  [](auto& list, auto& s) {
+                    list.drawIndexed(
+                        s,
+                        {.indexCount = 6, .instanceCount = 2, .firstIndex = 7, .vertexOffset = 24});
+                  }),
+        (Row{0, 0, 0, 0, 0, 0, 7, 8}));
     EXPECT_EQ(cells.run(device(), state,
                         [](auto& list, auto& s) {
-                          list.drawIndexed(s, {.indexCount = 6,
-                                               .instanceCount = 2,
-                                               .firstIndex = 7,
-                                               .vertexOffset = 24});
-                        }),
-              (Row{0, 0, 0, 0, 0, 0, 7, 8}));
-    EXPECT_EQ(cells.run(device(), state,
-                        [](auto& list, auto& s) {
-                          list.drawIndexed(s, {.indexCount = 6, .firstIndex = 7, .vertexOffset = -6});
+                          list.drawIndexed(s,
+                                           {.indexCount = 6, .firstIndex = 7, .vertexOffset = -6});
                         }),
               (Row{0, 2, 0, 0, 0, 0, 0, 0}));
   }
@@ -102,8 +104,14 @@ GPU_TEST(Draws, EveryVertexFormat) {
     uint8_t h[4];
   };
   static_assert(sizeof(Vertex) == 72);
-  std::vector<Vertex> vertices = {{1, {2, 3}, {4, 5, 6}, {7, 8, 9, 10}, 0xFFFFFFFF, {1, 2},
-                                   {1, 2, 4, 0x80000000}, {0, 51, 102, 255}}};
+  std::vector<Vertex> vertices = {{1,
+                                   {2, 3},
+                                   {4, 5, 6},
+                                   {7, 8, 9, 10},
+                                   0xFFFFFFFF,
+                                   {1, 2},
+                                   {1, 2, 4, 0x80000000},
+                                   {0, 51, 102, 255}}};
   std::vector<float> instances;  // the middle of pixel i of a row of four
   for (int i = 0; i < 4; ++i) instances.insert(instances.end(), {(float(i) + 0.5f) / 2 - 1, 0});
   rhi::Buffer vertexBuffer = bufferOf(device(), vertices);
@@ -116,16 +124,19 @@ GPU_TEST(Draws, EveryVertexFormat) {
   desc.topology = rhi::Topology::PointList;
   desc.vertexBuffers = {{.stride = sizeof(Vertex)}, {.stride = 8, .perInstance = true}};
   using F = rhi::VertexFormat;
-  desc.attributes = {{0, 0, F::Float, offsetof(Vertex, a)},   {1, 0, F::Float2, offsetof(Vertex, b)},
-                     {2, 0, F::Float3, offsetof(Vertex, c)},  {3, 0, F::Float4, offsetof(Vertex, d)},
-                     {4, 0, F::Uint, offsetof(Vertex, e)},    {5, 0, F::Uint2, offsetof(Vertex, f)},
-                     {6, 0, F::Uint4, offsetof(Vertex, g)},   {7, 0, F::Unorm8x4, offsetof(Vertex, h)},
+  desc.attributes = {{0, 0, F::Float, offsetof(Vertex, a)},
+                     {1, 0, F::Float2, offsetof(Vertex, b)},
+                     {2, 0, F::Float3, offsetof(Vertex, c)},
+                     {3, 0, F::Float4, offsetof(Vertex, d)},
+                     {4, 0, F::Uint, offsetof(Vertex, e)},
+                     {5, 0, F::Uint2, offsetof(Vertex, f)},
+                     {6, 0, F::Uint4, offsetof(Vertex, g)},
+                     {7, 0, F::Unorm8x4, offsetof(Vertex, h)},
                      {8, 1, F::Float2, 0}};
   rhi::Pipeline pipeline = device().createPipeline(desc);
   frame(device(), [&](rhi::CommandList& list) {
-    const rhi::ColorAttachment targets[] = {{.view = {.texture = floats}},
-                                            {.view = {.texture = uints}},
-                                            {.view = {.texture = colors}}};
+    const rhi::ColorAttachment targets[] = {
+        {.view = {.texture = floats}}, {.view = {.texture = uints}}, {.view = {.texture = colors}}};
     auto pass = list.beginPass({.label = "attributes", .colors = targets});
     const rhi::VertexBufferBinding buffers[] = {{vertexBuffer}, {instanceBuffer}};
     list.draw({.pipeline = pipeline, .vertexBuffers = buffers},

@@ -67,8 +67,8 @@ GPU_TEST(Frames, WritesFillsAndCopiesKeepTheirPlaceBetweenPasses) {
 GPU_TEST(Frames, LargeWritesArriveWhole) {
   std::vector<uint32_t> values(3u << 18);
   for (size_t i = 0; i < values.size(); ++i) values[i] = uint32_t(i * 2654435761u);
-  rhi::Buffer buffer = device().createBuffer(
-      {.label = "large", .size = values.size() * 4 + 8, .use = kAnyBuffer});
+  rhi::Buffer buffer =
+      device().createBuffer({.label = "large", .size = values.size() * 4 + 8, .use = kAnyBuffer});
   frame(device(), [&](rhi::CommandList& list) { list.write(buffer, 8, bytesOf(values)); });
   EXPECT_EQ(fromBytes<uint32_t>(device().read(buffer, 8, values.size() * 4)), values);
 }
@@ -112,9 +112,8 @@ GPU_TEST(Frames, ObjectsMayComeAndGoWithinAPass) {
     auto pass = list.beginPass({.label = "pass", .colors = {&color, 1}});
     for (int32_t row = 0; row < 3; ++row) {
       list.draw({.pipeline = pipeline, .scissor = rhi::Rect{0, row, 4, 1}}, {.vertexCount = 3});
-      device().createTexture({.label = "gone",
-                              .format = rhi::Format::R8Unorm,
-                              .use = rhi::TextureUse::ColorTarget});
+      device().createTexture(
+          {.label = "gone", .format = rhi::Format::R8Unorm, .use = rhi::TextureUse::ColorTarget});
       device().createBuffer({.label = "gone", .size = 16, .use = rhi::BufferUse::Uniform});
     }
   });
@@ -153,8 +152,8 @@ TEST(Frames, SeveralDevicesRecordAtTheSameTime) {
 GPU_TEST(Frames, LedgerKnowsWhatIsAlive) {
   const uint64_t before = device().ledger().totalBytes();
   {
-    rhi::Buffer buffer =
-        device().createBuffer({.label = "ledger test", .size = 123, .use = rhi::BufferUse::Storage});
+    rhi::Buffer buffer = device().createBuffer(
+        {.label = "ledger test", .size = 123, .use = rhi::BufferUse::Storage});
     EXPECT_EQ(device().ledger().totalBytes(), before + 123);
     EXPECT_EQ(device().ledger().bytesByLabel().at("ledger test"), 123u);
   }

@@ -9,8 +9,7 @@ using Row = std::vector<uint32_t>;
 
 Row drawCells(rhi::Device& device, const std::vector<uint32_t>& args, uint64_t offset,
               uint32_t draws, uint32_t stride, bool indexed) {
-  rhi::Texture target =
-      texture2D(device, rhi::Format::R32Uint, 8, 1, rhi::TextureUse::ColorTarget);
+  rhi::Texture target = texture2D(device, rhi::Format::R32Uint, 8, 1, rhi::TextureUse::ColorTarget);
   rhi::Buffer size = bufferOf(device, Row{8, 0, 0, 0});
   Row cells, indices;
   for (uint32_t i = 0; i < 48; ++i) {
@@ -51,8 +50,7 @@ GPU_TEST(Indirect, OneDrawAtAnOffset) {
 
 GPU_TEST(Indirect, OneIndexedDraw) {
   // count, instances, firstIndex, vertexOffset, firstInstance
-  EXPECT_EQ(drawCells(device(), {6, 2, 6, 12, 0}, 0, 1, 0, true),
-            (Row{0, 0, 0, 4, 5, 0, 0, 0}));
+  EXPECT_EQ(drawCells(device(), {6, 2, 6, 12, 0}, 0, 1, 0, true), (Row{0, 0, 0, 4, 5, 0, 0, 0}));
 }
 
 GPU_TEST(Indirect, NoInstancesDrawNothing) {

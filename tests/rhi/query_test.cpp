@@ -26,7 +26,7 @@ GPU_TEST(Queries, OcclusionCountsSamplesExactly) {
       list.endQuery(pool, query);
     };
     draw(1, {0, 0, 10, 7});
-    draw(2, {0, 0, 20, 9});        // 70 of its pixels have the same depth already
+    draw(2, {0, 0, 20, 9});  // 70 of its pixels have the same depth already
     draw(3, {0, 0, 20, 9});
     draw(4, {0, 0, kSize, kSize});
     list.beginQuery(pool, 0);
@@ -80,8 +80,7 @@ GPU_TEST(Queries, StatisticsOfADispatch) {
     list.dispatch({.pipeline = pipeline, .bindings = bindings}, 10);
     list.endQuery(pool, 0);
   });
-  EXPECT_EQ(device().readQueries(pool, 0, 1),
-            (std::vector<uint64_t>{0, 0, 0, 0, 0, 0, 80}));
+  EXPECT_EQ(device().readQueries(pool, 0, 1), (std::vector<uint64_t>{0, 0, 0, 0, 0, 0, 80}));
 }
 
 GPU_TEST(Queries, TimestampsNeverRunBackAndSeeTheWork) {

@@ -82,8 +82,7 @@ GPU_TEST(ReadBack, ClearsOfEveryColorTargetFormat) {
     if (!device().formatCaps(format).colorTarget) continue;
     rhi::Texture texture =
         texture2D(device(), format, kWidth, kHeight, rhi::TextureUse::ColorTarget);
-    const bool integer =
-        info.kind == rhi::FormatKind::Uint || info.kind == rhi::FormatKind::Sint;
+    const bool integer = info.kind == rhi::FormatKind::Uint || info.kind == rhi::FormatKind::Sint;
     const bool sint = info.kind == rhi::FormatKind::Sint;
     frame(device(), [&](rhi::CommandList& list) {
       const rhi::ColorAttachment color{
@@ -142,10 +141,10 @@ GPU_TEST(ReadBack, DepthAndStencilAspectsAreApart) {
     }
     rhi::Pipeline pipeline = device().createPipeline(desc);
     frame(device(), [&](rhi::CommandList& list) {
-      auto pass = list.beginPass({.label = "depth",
-                                  .depth = rhi::DepthAttachment{.view = {.texture = texture},
-                                                                .clearDepth = 1,
-                                                                .clearStencil = 0x5A}});
+      auto pass = list.beginPass(
+          {.label = "depth",
+           .depth = rhi::DepthAttachment{
+               .view = {.texture = texture}, .clearDepth = 1, .clearStencil = 0x5A}});
       list.draw({.pipeline = pipeline, .scissor = rhi::Rect{1, 1, 2, 1}, .stencilReference = 0xC3},
                 {.vertexCount = 3});
     });

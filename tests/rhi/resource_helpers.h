@@ -13,10 +13,10 @@ namespace sb::test {
 
 using Vec4 = std::array<float, 4>;
 
-constexpr rhi::BufferUse kAnyBuffer =
-    rhi::BufferUse::Vertex | rhi::BufferUse::Index | rhi::BufferUse::Uniform |
-    rhi::BufferUse::Storage | rhi::BufferUse::Indirect | rhi::BufferUse::CopySource |
-    rhi::BufferUse::CopyTarget;
+constexpr rhi::BufferUse kAnyBuffer = rhi::BufferUse::Vertex | rhi::BufferUse::Index |
+                                      rhi::BufferUse::Uniform | rhi::BufferUse::Storage |
+                                      rhi::BufferUse::Indirect | rhi::BufferUse::CopySource |
+                                      rhi::BufferUse::CopyTarget;
 constexpr rhi::TextureUse kCopies = rhi::TextureUse::CopySource | rhi::TextureUse::CopyTarget;
 
 template <class T>
@@ -100,7 +100,8 @@ std::vector<Vec4> sampleAt(rhi::Device& device, const std::string& shader,
 
 inline void expectNear(const Vec4& actual, const Vec4& expected, float tolerance,
                        const std::string& what) {
-  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << what << " [" << i << "]";
+  for (size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(actual[i], expected[i], tolerance) << what << " [" << i << "]";
 }
 
 }  // namespace sb::test

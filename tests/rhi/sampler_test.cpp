@@ -18,17 +18,21 @@ rhi::Texture makeRow(rhi::Device& device) {
 float wrapped(rhi::AddressMode mode, int i, float border) {
   const int repeat = ((i % 4) + 4) % 4, mirror = ((i % 8) + 8) % 8;
   switch (mode) {
-    case rhi::AddressMode::Repeat: return float(repeat + 1);
-    case rhi::AddressMode::MirroredRepeat: return float((mirror < 4 ? mirror : 7 - mirror) + 1);
-    case rhi::AddressMode::ClampToEdge: return float(std::min(std::max(i, 0), 3) + 1);
-    case rhi::AddressMode::ClampToBorder: return i < 0 || i > 3 ? border : float(i + 1);
+    case rhi::AddressMode::Repeat:
+      return float(repeat + 1);
+    case rhi::AddressMode::MirroredRepeat:
+      return float((mirror < 4 ? mirror : 7 - mirror) + 1);
+    case rhi::AddressMode::ClampToEdge:
+      return float(std::min(std::max(i, 0), 3) + 1);
+    case rhi::AddressMode::ClampToBorder:
+      return i < 0 || i > 3 ? border : float(i + 1);
   }
   return 0;
 }
 
-constexpr rhi::AddressMode kModes[] = {
-    rhi::AddressMode::Repeat, rhi::AddressMode::MirroredRepeat, rhi::AddressMode::ClampToEdge,
-    rhi::AddressMode::ClampToBorder};
+constexpr rhi::AddressMode kModes[] = {rhi::AddressMode::Repeat, rhi::AddressMode::MirroredRepeat,
+                                       rhi::AddressMode::ClampToEdge,
+                                       rhi::AddressMode::ClampToBorder};
 
 }  // namespace
 
@@ -39,11 +43,10 @@ GPU_TEST(Samplers, NearestUnderEveryWrapMode) {
   for (rhi::AddressMode mode : kModes)
     for (rhi::BorderColor border :
          {rhi::BorderColor::TransparentBlack, rhi::BorderColor::OpaqueWhite}) {
-      const auto values =
-          sampleAt(device(), "sample_2d", {.texture = row},
-                   {.filter = rhi::Filter::Nearest, .addressU = mode, .addressV = mode,
-                    .border = border},
-                   at);
+      const auto values = sampleAt(
+          device(), "sample_2d", {.texture = row},
+          {.filter = rhi::Filter::Nearest, .addressU = mode, .addressV = mode, .border = border},
+          at);
       const float edge = border == rhi::BorderColor::OpaqueWhite ? 1.0f : 0.0f;
       for (int i = -9; i < 13; ++i)
         EXPECT_EQ(values[size_t(i + 9)][0], wrapped(mode, i, edge))
@@ -60,14 +63,16 @@ GPU_TEST(Samplers, LinearWeightsUnderEveryWrapMode) {
     for (float f : fractions) at.push_back({(float(i) + 0.5f + f) / 4, 0.5f, 0, 0});
   for (rhi::AddressMode mode : kModes) {
     const auto values = sampleAt(device(), "sample_2d", {.texture = row},
-                                 {.addressU = mode, .addressV = rhi::AddressMode::ClampToEdge,
+                                 {.addressU = mode,
+                                  .addressV = rhi::AddressMode::ClampToEdge,
                                   .border = rhi::BorderColor::OpaqueWhite},
                                  at);
     size_t k = 0;
     for (int i = -5; i < 9; ++i)
       for (float f : fractions) {
         const float expected = wrapped(mode, i, 1) * (1 - f) + wrapped(mode, i + 1, 1) * f;
-        EXPECT_NEAR(values[k++][0], expected, 1e-4) << "mode " << int(mode) << " at " << i << "+" << f;
+        EXPECT_NEAR(values[k++][0], expected, 1e-4)
+            << "mode " << int(mode) << " at " << i << "+" << f;
       }
   }
 }
@@ -105,8 +110,11 @@ GPU_TEST(Samplers, MipFilterAndMaxLod) {
   for (uint32_t mip = 0; mip < 3; ++mip)
     device().upload(mips, {.mip = mip},
                     bytesOf(std::vector<float>((4 >> mip) * (4 >> mip), float(mip) * 8)));
-  const std::vector<Vec4> at = {{0.5f, 0.5f, 0, 0}, {0.5f, 0.5f, 0, 0.25f}, {0.5f, 0.5f, 0, 0.75f},
-                                {0.5f, 0.5f, 0, 1.5f}, {0.5f, 0.5f, 0, 9}};
+  const std::vector<Vec4> at = {{0.5f, 0.5f, 0, 0},
+                                {0.5f, 0.5f, 0, 0.25f},
+                                {0.5f, 0.5f, 0, 0.75f},
+                                {0.5f, 0.5f, 0, 1.5f},
+                                {0.5f, 0.5f, 0, 9}};
   auto lods = [&](rhi::Filter mipFilter, float maxLod) {
     std::vector<float> out;
     for (const Vec4& v : sampleAt(device(), "sample_2d", {.texture = mips},

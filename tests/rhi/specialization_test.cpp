@@ -29,8 +29,9 @@ GPU_TEST(Specialization, DefaultsHold) {
 }
 
 GPU_TEST(Specialization, EveryTypeAndTheGroupSize) {
-  EXPECT_EQ(runSpecialized(device(), {{0, 1}, {1, uint32_t(-7)}, {2, 0xFFFFFFFF}, {3, bits(0.1f)},
-                                      {4, 16}, {5, 11}}),
+  EXPECT_EQ(runSpecialized(
+                device(),
+                {{0, 1}, {1, uint32_t(-7)}, {2, 0xFFFFFFFF}, {3, bits(0.1f)}, {4, 16}, {5, 11}}),
             (std::vector<uint32_t>{32, 1, uint32_t(-7), 0xFFFFFFFF, bits(0.1f), 16, 100}));
 }
 

@@ -21,16 +21,15 @@ void expectByte(uint8_t actual, float expected) {
 }  // namespace
 
 GPU_TEST(Srgb, SamplingDecodesColorButNotAlpha) {
-  rhi::Texture ramp =
-      texture2D(device(), rhi::Format::RGBA8Srgb, 16, 1, rhi::TextureUse::Sampled);
+  rhi::Texture ramp = texture2D(device(), rhi::Format::RGBA8Srgb, 16, 1, rhi::TextureUse::Sampled);
   std::vector<uint8_t> bytes;
   for (int i = 0; i < 16; ++i)
     for (int c = 0; c < 4; ++c) bytes.push_back(uint8_t(i * 17));
   device().upload(ramp, {}, bytesOf(bytes));
   std::vector<Vec4> at;
   for (int i = 0; i < 16; ++i) at.push_back({(float(i) + 0.5f) / 16, 0.5f, 0, 0});
-  const auto values = sampleAt(device(), "sample_2d", {.texture = ramp},
-                               {.filter = rhi::Filter::Nearest}, at);
+  const auto values =
+      sampleAt(device(), "sample_2d", {.texture = ramp}, {.filter = rhi::Filter::Nearest}, at);
   for (int i = 0; i < 16; ++i) {
     const float s = float(i * 17) / 255, l = decode(s);
     // llvmpipe decodes by a polynomial that is off by up to 0.0012.
@@ -51,8 +50,7 @@ GPU_TEST(Srgb, RenderingEncodesAndBlendsInLinearLight) {
   rhi::Pipeline blended = device().createPipeline(desc);
   auto draw = [&](rhi::PipelineId pipeline) {
     frame(device(), [&](rhi::CommandList& list) {
-      const rhi::ColorAttachment attachment{.view = {.texture = target},
-                                            .clear = {1, 0.25f, 0, 1}};
+      const rhi::ColorAttachment attachment{.view = {.texture = target}, .clear = {1, 0.25f, 0, 1}};
       auto pass = list.beginPass({.label = "srgb", .colors = {&attachment, 1}});
       const rhi::Binding bindings[] = {rhi::uniformAt(0, color)};
       list.draw({.pipeline = pipeline, .bindings = bindings, .scissor = rhi::Rect{0, 0, 1, 1}},

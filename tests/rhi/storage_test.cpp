@@ -16,8 +16,7 @@ GPU_TEST(Storage, FragmentAtomicsCountExactlyTheCoveredPixels) {
   frame(device(), [&](rhi::CommandList& list) {
     const rhi::ResourceUse writes[] = {rhi::use(totals, rhi::Access::StorageWrite),
                                        rhi::use(perPixel.id(), rhi::Access::StorageWrite)};
-    auto pass =
-        list.beginPass({.label = "count", .writes = writes, .extent = {kSize, kSize}});
+    auto pass = list.beginPass({.label = "count", .writes = writes, .extent = {kSize, kSize}});
     const rhi::Binding bindings[] = {rhi::storageAt(0, totals),
                                      rhi::imageAt(0, {.texture = perPixel})};
     list.draw({.pipeline = pipeline, .bindings = bindings, .scissor = rhi::Rect{3, 5, 30, 29}},
@@ -48,10 +47,8 @@ GPU_TEST(Storage, OrOf128BitsByImagesAndByBuffers) {
                                                 .layers = 4,
                                                 .use = rhi::TextureUse::Storage | kCopies});
   for (uint32_t layer = 0; layer < 4; ++layer)
-    device().upload(layers, {.layer = layer},
-                    bytesOf(std::vector<uint32_t>(kWidth * kHeight, 0)));
-  rhi::Buffer words =
-      bufferOf(device(), std::vector<uint32_t>(size_t(kWidth) * kHeight * 4, 0));
+    device().upload(layers, {.layer = layer}, bytesOf(std::vector<uint32_t>(kWidth * kHeight, 0)));
+  rhi::Buffer words = bufferOf(device(), std::vector<uint32_t>(size_t(kWidth) * kHeight * 4, 0));
   rhi::Buffer size = bufferOf(device(), std::vector<uint32_t>{kWidth, 0, 0, 0});
   rhi::Pipeline pipeline = device().createPipeline(graphics("fullscreen", "or128"));
   frame(device(), [&](rhi::CommandList& list) {
@@ -109,8 +106,8 @@ GPU_TEST(Storage, ImagesOfArraysAndVolumes) {
   for (uint32_t layer = 0; layer < 5; ++layer) {
     const auto texel = readTexels<Vec4>(device(), array, {.mip = 1, .layer = layer})[5];
     const bool inside = layer == 2 || layer == 3;
-    EXPECT_EQ(texel, (inside ? Vec4{102, 201, 300 + float(layer - 2), 401}
-                             : Vec4{100, 200, 300, 400}))
+    EXPECT_EQ(texel,
+              (inside ? Vec4{102, 201, 300 + float(layer - 2), 401} : Vec4{100, 200, 300, 400}))
         << layer;
   }
   for (uint32_t z = 0; z < 4; ++z) {

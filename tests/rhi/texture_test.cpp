@@ -48,9 +48,9 @@ GPU_TEST(Textures, ArrayLayersAndMipsAreApart) {
 GPU_TEST(Textures, ViewsStartAtTheirFirstMipAndLayer) {
   rhi::Texture array = makeArray(device());
   const rhi::TextureView view{.texture = array, .baseMip = 1, .mipCount = 2, .baseLayer = 1};
-  const auto values = sampleAt(device(), "sample_2d_array", view, kNearest,
-                               {{0.5f, 0.5f, 0, 0}, {0.5f, 0.5f, 1, 0}, {0.5f, 0.5f, 1, 1},
-                                {0.5f, 0.5f, 9, 9}});
+  const auto values =
+      sampleAt(device(), "sample_2d_array", view, kNearest,
+               {{0.5f, 0.5f, 0, 0}, {0.5f, 0.5f, 1, 0}, {0.5f, 0.5f, 1, 1}, {0.5f, 0.5f, 9, 9}});
   EXPECT_EQ(values[0][0], 11);
   EXPECT_EQ(values[1][0], 21);
   EXPECT_EQ(values[2][0], 22);
@@ -87,12 +87,14 @@ GPU_TEST(Textures, VolumesFilterBetweenSlices) {
     device().upload(volume, {.layer = z}, bytesOf(std::vector<float>{float(z), float(z) + 10}));
   for (uint32_t z = 0; z < 2; ++z)
     device().upload(volume, {.mip = 1, .layer = z}, bytesOf(std::vector<float>{float(z) + 50}));
-  const auto values = sampleAt(
-      device(), "sample_3d", {.texture = volume},
-      {.addressU = rhi::AddressMode::ClampToEdge, .addressW = rhi::AddressMode::ClampToEdge,
-       .maxLod = 4},
-      {{0.25f, 0.5f, 0.125f, 0}, {0.75f, 0.5f, 0.625f, 0}, {0.5f, 0.5f, 0.5f, 0},
-       {0.5f, 0.5f, 0.75f, 1}});
+  const auto values = sampleAt(device(), "sample_3d", {.texture = volume},
+                               {.addressU = rhi::AddressMode::ClampToEdge,
+                                .addressW = rhi::AddressMode::ClampToEdge,
+                                .maxLod = 4},
+                               {{0.25f, 0.5f, 0.125f, 0},
+                                {0.75f, 0.5f, 0.625f, 0},
+                                {0.5f, 0.5f, 0.5f, 0},
+                                {0.5f, 0.5f, 0.75f, 1}});
   EXPECT_NEAR(values[0][0], 0, 1e-4);
   EXPECT_NEAR(values[1][0], 12, 1e-4);
   EXPECT_NEAR(values[2][0], 6.5, 1e-2);
@@ -120,8 +122,7 @@ GPU_TEST(Textures, PassesClearExactlyTheirMipAndLayers) {
 }
 
 GPU_TEST(Textures, UploadsAndReadsOfRegions) {
-  rhi::Texture texture =
-      texture2D(device(), rhi::Format::R8Unorm, 5, 3, rhi::TextureUse::Sampled);
+  rhi::Texture texture = texture2D(device(), rhi::Format::R8Unorm, 5, 3, rhi::TextureUse::Sampled);
   std::vector<uint8_t> expected(15);
   std::iota(expected.begin(), expected.end(), uint8_t(1));
   device().upload(texture, {}, bytesOf(expected));

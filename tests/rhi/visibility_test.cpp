@@ -37,7 +37,8 @@ GPU_TEST(Visibility, AttachmentIsSampledByTheNextPass) {
                                  rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled);
   rhi::Texture second = texture2D(device(), rhi::Format::R32Uint, kSize, kSize,
                                   rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled);
-  rhi::Sampler sampler = device().createSampler({.label = "nearest", .filter = rhi::Filter::Nearest});
+  rhi::Sampler sampler =
+      device().createSampler({.label = "nearest", .filter = rhi::Filter::Nearest});
   rhi::Pipeline draw =
       device().createPipeline(graphics("fullscreen", "coordinates", {rhi::Format::R32Uint}));
   rhi::Pipeline fetch =
@@ -69,7 +70,8 @@ GPU_TEST(Visibility, ImageStoreIsFetchedByTheNextPass) {
                                  rhi::TextureUse::Storage | rhi::TextureUse::Sampled);
   rhi::Texture target =
       texture2D(device(), rhi::Format::R32Uint, kSize, kSize, rhi::TextureUse::ColorTarget);
-  rhi::Sampler sampler = device().createSampler({.label = "nearest", .filter = rhi::Filter::Nearest});
+  rhi::Sampler sampler =
+      device().createSampler({.label = "nearest", .filter = rhi::Filter::Nearest});
   rhi::Pipeline store = computePipeline(device(), "store_image");
   rhi::Pipeline fetch =
       device().createPipeline(graphics("fullscreen", "fetch_flipped", {rhi::Format::R32Uint}));
@@ -122,8 +124,8 @@ GPU_TEST(Visibility, StoresFeedVerticesIndicesAndUniforms) {
                             bufferOf(device(), std::vector<uint32_t>{4, 0, 0, 0})};
   rhi::Buffer made[3];
   for (size_t i = 0; i < 3; ++i)
-    made[i] = bufferOf(device(),
-                       std::vector<uint32_t>(device().bufferDesc(sources[i]).size / 4, 0));
+    made[i] =
+        bufferOf(device(), std::vector<uint32_t>(device().bufferDesc(sources[i]).size / 4, 0));
   rhi::Texture target =
       texture2D(device(), rhi::Format::R32Uint, 4, 1, rhi::TextureUse::ColorTarget);
   rhi::Pipeline copy = computePipeline(device(), "store_words");
