@@ -36,7 +36,7 @@ void State::forgetBindings() {
   m_indexBuffer = {};
   m_indirect.fill({});
   m_pipeline = m_inputPipeline = {};
-  // Names are reused by the driver, so equality with a mirrored name proves nothing any more.
+  // Drivers may reuse names, so equality with a mirrored name proves nothing any more.
   m_gl.UseProgram(0);
   m_program = 0;
 }
