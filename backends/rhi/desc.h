@@ -161,7 +161,7 @@ struct ColorAttachment {
   TextureView view;  ///< one mip; layerCount > 1: layered rendering (gl_Layer)
   LoadOp load = LoadOp::Clear;
   StoreOp store = StoreOp::Store;
-  std::array<float, 4> clear = {0, 0, 0, 0};  ///< integer formats: converted
+  std::array<float, 4> clear = {0, 0, 0, 0};  ///< integer formats: converted, saturating
   std::optional<TextureView> resolve;         ///< average of the samples, at the end of the pass
 };
 struct DepthAttachment {

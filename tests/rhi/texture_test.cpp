@@ -1,4 +1,5 @@
 // Textures of every kind: arrays, volumes, mips, parts of them as views, odd sizes, copies.
+#include <algorithm>
 #include <numeric>
 
 #include "tests/rhi/resource_helpers.h"
@@ -64,6 +65,9 @@ GPU_TEST(Textures, ViewOfATexture2DKnowsItsSize) {
                                                  .height = 4,
                                                  .mips = 4,
                                                  .use = rhi::TextureUse::Sampled | kCopies});
+  for (uint32_t mip = 0; mip < 4; ++mip)
+    device().upload(texture, {.mip = mip},
+                    bytesOf(std::vector<uint8_t>((13u >> mip) * std::max(1u, 4u >> mip), 1)));
   const auto whole = sampleAt(device(), "sizes", {.texture = texture}, kNearest,
                               {{0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0, 3}});
   EXPECT_EQ(whole[0], (Vec4{13, 4, 4, 0}));
