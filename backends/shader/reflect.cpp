@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "backends/rhi/error.h"
 #include "backends/shader/compile.h"
@@ -51,32 +52,39 @@ bool isReadOnly(spvc_compiler compiler, const spvc_reflected_resource& resource,
          decorations + count;
 }
 
+/// Lists what the shader uses, and gives every binding (blocks that it does not use are still in the
+/// text, and must agree between stages) its OpenGL number.
 void collectResources(spvc_context context, spvc_compiler compiler, rhi::ShaderCode& code) {
   spvc_set active = nullptr;
-  spvc_resources resources = nullptr;
+  spvc_resources used = nullptr, all = nullptr;
   check(context, spvc_compiler_get_active_interface_variables(compiler, &active), code, "spvc");
   check(context,
-        spvc_compiler_create_shader_resources_for_active_variables(compiler, &resources, active),
-        code, "spvc");
-  for (const KindRange& range : kRanges) {
+        spvc_compiler_create_shader_resources_for_active_variables(compiler, &used, active), code,
+        "spvc");
+  check(context, spvc_compiler_create_shader_resources(compiler, &all), code, "spvc");
+  auto listOf = [&](spvc_resources resources, spvc_resource_type type) {
     const spvc_reflected_resource* list = nullptr;
     size_t count = 0;
-    check(context,
-          spvc_resources_get_resource_list_for_type(resources, range.type, &list, &count), code,
+    check(context, spvc_resources_get_resource_list_for_type(resources, type, &list, &count), code,
           "spvc");
-    for (size_t i = 0; i < count; ++i) {
+    return std::span(list, count);
+  };
+  for (const KindRange& range : kRanges) {
+    for (const spvc_reflected_resource& resource : listOf(used, range.type))
+      code.resources.push_back(
+          {.slot = spvc_compiler_get_decoration(compiler, resource.id, SpvDecorationBinding),
+           .kind = range.kind,
+           .readOnly = isReadOnly(compiler, resource, range.kind),
+           .name = resource.name});
+    for (const spvc_reflected_resource& resource : listOf(all, range.type)) {
       const uint32_t slot =
-          spvc_compiler_get_decoration(compiler, list[i].id, SpvDecorationBinding);
+          spvc_compiler_get_decoration(compiler, resource.id, SpvDecorationBinding);
       if (slot < range.base || slot >= range.end)
         throw rhi::Error("shader reflection", "",
-                         code.name + ": '" + list[i].name + "' is at binding " +
+                         code.name + ": '" + resource.name + "' is at binding " +
                              std::to_string(slot) + ", its kind belongs to " +
                              std::to_string(range.base) + ".." + std::to_string(range.end - 1));
-      code.resources.push_back({.slot = slot,
-                                .kind = range.kind,
-                                .readOnly = isReadOnly(compiler, list[i], range.kind),
-                                .name = list[i].name});
-      spvc_compiler_set_decoration(compiler, list[i].id, SpvDecorationBinding, slot - range.base);
+      spvc_compiler_set_decoration(compiler, resource.id, SpvDecorationBinding, slot - range.base);
     }
   }
   std::ranges::sort(code.resources, {}, &rhi::ShaderResource::slot);

@@ -50,7 +50,8 @@ class Group {
                   .backend = id.backend, .scene = id.scene, .sceneHash = hash, .width = id.width,
                   .height = id.height, .seed = id.seed, .version = version,
                   .command = cellCommand(id)};
-      for (const auto& [name, value] : cellKnobs(id).all()) r.record.knobs[name] = value;
+      const Knobs knobs = cellKnobs(id);
+      for (const auto& [name, value] : knobs.all()) r.record.knobs[name] = value;
       for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
         r.record.why[key] = "no ray-traced truth in this version";
     }

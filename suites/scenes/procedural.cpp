@@ -124,10 +124,15 @@ std::vector<SceneInfo> proceduralScenes() {
 }
 
 Scene makeScene(std::string_view spec) {
-  if (isFile(spec)) return loadGltf(spec);
-  const Parsed parsed = parseSpec(spec);
-  Scene scene = parsed.scene->make(parsed.values);
-  scene.name = canonical(parsed);
+  Scene scene;
+  if (isFile(spec)) {
+    scene = loadGltf(spec);
+  } else {
+    const Parsed parsed = parseSpec(spec);
+    scene = parsed.scene->make(parsed.values);
+    scene.name = canonical(parsed);
+  }
+  for (uint32_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = i;
   return scene;
 }
 

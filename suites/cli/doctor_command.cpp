@@ -1,0 +1,69 @@
+// bench doctor: every device of every backend, and what its timers are worth.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/stats/stats.h"
+#include "suites/cli/commands.h"
+#include "suites/harness/timer_trust.h"
+
+namespace sb {
+namespace {
+
+std::string listOf(const std::vector<uint32_t>& values) {
+  std::string out;
+  for (uint32_t v : values) out += (out.empty() ? "" : ", ") + std::to_string(v);
+  return out;
+}
+
+void printDevice(const rhi::DeviceInfo& d) {
+  fmt::print("  [{}] {} ({})\n", d.index, d.name, rhi::deviceTypeName(d.type));
+  if (!d.unusable.empty()) fmt::print("      UNUSABLE: {}\n", d.unusable);
+  fmt::print("      driver {} {}, API {}", d.driver, d.driverVersion, d.apiVersion);
+  if (d.memoryBytes > 0) fmt::print(", memory {:.1f} GiB", double(d.memoryBytes) / (1 << 30));
+  const rhi::Limits& l = d.limits;
+  fmt::print(
+      "\n      textures {}^2 x {} layers, {}^3; {} colour attachments; samples {}; storage range {} "
+      "MiB; sub-pixel bits {}\n      timestamps: {} bits, {} ns\n",
+      l.maxTexture2D, l.maxTextureLayers, l.maxTexture3D, l.maxColorAttachments,
+      listOf(l.sampleCounts), l.maxStorageRange >> 20, l.subPixelBits, l.timestampBits,
+      l.timestampPeriodNs);
+  std::string have, lack;
+  for (uint32_t f = 0; f < uint32_t(rhi::Feature::Count); ++f) {
+    std::string& list = d.features.contains(rhi::Feature(f)) ? have : lack;
+    list += (list.empty() ? "" : ", ") + std::string(rhi::featureName(rhi::Feature(f)));
+  }
+  fmt::print("      has: {}\n      lacks: {}\n", have, lack);
+}
+
+}  // namespace
+
+int doctorCommand(const Options& options) {
+  Platform platform = makePlatform(options);
+  Devices devices(platform.backends(), platform.shaders,
+                  {.selector = options.device, .validate = options.validate});
+  int working = 0;
+  for (rhi::Backend* backend : platform.backends()) {
+    fmt::print("{}\n", backend->name());
+    try {
+      for (const rhi::DeviceInfo& d : backend->enumerate()) printDevice(d);
+    } catch (const rhi::Error& e) {
+      fmt::print("  not available: {}\n", e.what());
+      continue;
+    }
+    DeviceSession* session = devices.open(std::string(backend->name()));
+    if (!session) {
+      fmt::print("  does not start: {}\n", devices.why(std::string(backend->name())));
+      continue;
+    }
+    ++working;
+    fmt::print("  timers of {}:\n", session->device->info().name);
+    for (const TimerFact& fact : checkTimers(session->context()))
+      fmt::print("      {} {}: {}\n", fact.trusted ? "ok       " : "UNTRUSTED", fact.name,
+                 fact.finding);
+  }
+  if (working == 0) fmt::print("No backend works on this machine.\n");
+  return working > 0 ? 0 : 1;
+}
+
+}  // namespace sb
