@@ -138,7 +138,7 @@ void finish(GltfContext& context, const std::string& field, const Attribute& nor
       mesh.tangents.clear();
       break;
     }
-    t = glm::vec4(glm::vec3(t) / length, t.w);
+    if (std::abs(length - 1) > 1e-6f) t = glm::vec4(glm::vec3(t) / length, t.w);
   }
   if (mapped && mesh.tangents.empty()) makeTangents(mesh, material.normalTexture.uvSet);
   computeBounds(mesh);
