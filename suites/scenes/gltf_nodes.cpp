@@ -11,8 +11,7 @@ namespace {
 glm::dmat4 localTransform(GltfContext& context, const std::string& field,
                           const tinygltf::Node& node) {
   glm::dmat4 m(1);
-  const bool parts =
-      !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
+  const bool parts = !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
   if (!node.matrix.empty()) {
     if (parts) context.warn(field + " has a matrix and other transforms: the matrix is used");
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[size_t(i)];
@@ -58,8 +57,7 @@ void addLight(GltfContext& context, const tinygltf::Value& reference, const glm:
   else if (source.type == "spot")
     light.type = LightType::Spot;
   else
-    context.fail(field + ".type",
-                 "is '" + source.type + "', expected directional, point or spot");
+    context.fail(field + ".type", "is '" + source.type + "', expected directional, point or spot");
   for (int i = 0; i < 3 && source.color.size() == 3; ++i)
     light.color[i] = float(source.color[size_t(i)]);
   light.intensity = float(source.intensity);
@@ -191,8 +189,7 @@ void readNodes(GltfContext& context) {
     const glm::dmat4 toWorld = parent * localTransform(context, field, node);
     if (!finite(toWorld)) context.fail(field, "its transform overflows, expected finite numbers");
     const std::string name = node.name.empty() ? "node" + std::to_string(index) : node.name;
-    if (node.mesh >= 0)
-      addInstances(context, field, name, size_t(node.mesh), toWorld, variants);
+    if (node.mesh >= 0) addInstances(context, field, name, size_t(node.mesh), toWorld, variants);
     if (node.camera >= 0) addCamera(context, field, node.camera, toWorld);
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) addLight(context, light->second, toWorld);

@@ -89,7 +89,8 @@ class Variants {
 
   template <typename T>
   static void move(std::vector<T>& items, const std::vector<uint32_t>& places) {
-    std::vector<T> moved(size_t(std::ranges::count_if(places, [](uint32_t p) { return p != kNone; })));
+    std::vector<T> moved(
+        size_t(std::ranges::count_if(places, [](uint32_t p) { return p != kNone; })));
     for (size_t i = 0; i < items.size(); ++i)
       if (places[i] != kNone) moved[places[i]] = std::move(items[i]);
     items = std::move(moved);

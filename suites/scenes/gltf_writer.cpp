@@ -131,12 +131,11 @@ void GltfWriter::addInstances() {
 
 void GltfWriter::addMedia() {
   for (const Medium& medium : m_scene.media) {
-    const json ours = {
-        {"kind", medium.kind == MediumKind::Smoke ? "smoke" : "homogeneous"},
-        {"extinction", vectorJson(medium.extinction)},
-        {"albedo", vectorJson(medium.albedo)},
-        {"anisotropy", medium.anisotropy},
-        {"seed", medium.seed}};
+    const json ours = {{"kind", medium.kind == MediumKind::Smoke ? "smoke" : "homogeneous"},
+                       {"extinction", vectorJson(medium.extinction)},
+                       {"albedo", vectorJson(medium.albedo)},
+                       {"anisotropy", medium.anisotropy},
+                       {"seed", medium.seed}};
     addNode({{"name", medium.name},
              {"matrix", matrixJson(medium.boxToWorld)},
              {"extras", {{"shadowbench", {{"medium", ours}}}}}});

@@ -127,8 +127,7 @@ void makeTangents(Mesh& mesh, uint32_t uvSet) {
     const glm::dvec3 t = alongU[i] - n * glm::dot(n, alongU[i]);
     const double length = glm::length(t);
     const bool usable = length > 1e-9 * glm::length(alongU[i]) && std::isfinite(length);
-    const glm::vec3 tangent =
-        usable ? glm::vec3(t / length) : anyPerpendicular(mesh.normals[i]);
+    const glm::vec3 tangent = usable ? glm::vec3(t / length) : anyPerpendicular(mesh.normals[i]);
     const bool left = glm::dot(glm::cross(n, glm::dvec3(tangent)), alongV[i]) < 0;
     mesh.tangents[i] = glm::vec4(tangent, left ? -1.0f : 1.0f);
   }

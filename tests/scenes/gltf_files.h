@@ -67,8 +67,8 @@ inline json triangleFile() {
 class GltfFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    m_folder = std::filesystem::temp_directory_path() /
-               ("shadowbench-test-" + std::to_string(getpid()));
+    m_folder =
+        std::filesystem::temp_directory_path() / ("shadowbench-test-" + std::to_string(getpid()));
     std::filesystem::create_directories(m_folder);
   }
   void TearDown() override { std::filesystem::remove_all(m_folder); }

@@ -59,11 +59,11 @@ TEST_F(GltfForms, SparseAndNormalizedAccessors) {
   const size_t value = addFloats(gltf, {5, 0, 0}, 3);
   gltf["accessors"][0]["sparse"] = {
       {"count", 1},
-      {"indices", {{"bufferView", gltf["accessors"][index]["bufferView"]}, {"componentType", 5123}}},
+      {"indices",
+       {{"bufferView", gltf["accessors"][index]["bufferView"]}, {"componentType", 5123}}},
       {"values", {{"bufferView", gltf["accessors"][value]["bufferView"]}}}};
-  const size_t colours =
-      addAccessor(gltf, bytesOf<uint8_t>({255, 0, 51, 0, 255, 255, 0, 255, 0, 0, 255, 255}), 5121,
-                  "VEC4", 3);
+  const size_t colours = addAccessor(
+      gltf, bytesOf<uint8_t>({255, 0, 51, 0, 255, 255, 0, 255, 0, 0, 255, 255}), 5121, "VEC4", 3);
   gltf["accessors"][colours]["normalized"] = true;
   gltf["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = colours;
   const Mesh mesh = load(gltf).meshes.at(0);
@@ -163,18 +163,20 @@ TEST_F(GltfForms, MaterialsAndTextures) {
   json info = {{"index", 0}, {"texCoord", 1}};
   info["extensions"]["KHR_texture_transform"] = {
       {"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}, {"texCoord", 0}};
-  gltf["materials"] = {
-      {{"pbrMetallicRoughness", {{"baseColorTexture", info}, {"baseColorFactor", {1, 0.5, 0.25, 1}}}},
-       {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
-       {"alphaMode", "MASK"},
-       {"alphaCutoff", 0.25},
-       {"emissiveFactor", {1, 0, 0}},
-       {"extensions",
-        {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
-         {"KHR_materials_unlit", json::object()},
-         {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
-         {"KHR_materials_volume",
-          {{"thicknessFactor", 2}, {"attenuationDistance", 8}, {"attenuationColor", {1, 0, 0}}}}}}}};
+  gltf["materials"] = {{{"pbrMetallicRoughness",
+                         {{"baseColorTexture", info}, {"baseColorFactor", {1, 0.5, 0.25, 1}}}},
+                        {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+                        {"alphaMode", "MASK"},
+                        {"alphaCutoff", 0.25},
+                        {"emissiveFactor", {1, 0, 0}},
+                        {"extensions",
+                         {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
+                          {"KHR_materials_unlit", json::object()},
+                          {"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+                          {"KHR_materials_volume",
+                           {{"thicknessFactor", 2},
+                            {"attenuationDistance", 8},
+                            {"attenuationColor", {1, 0, 0}}}}}}}};
   json& primitive = gltf["meshes"][0]["primitives"][0];
   primitive["material"] = 0;
   primitive["attributes"]["TEXCOORD_0"] = addFloats(gltf, {0, 0, 1, 0, 0, 1}, 2);

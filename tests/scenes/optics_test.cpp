@@ -8,9 +8,7 @@
 namespace sb {
 namespace {
 
-glm::vec3 tau(const Optics& o) {
-  return glm::vec3(1) - o.alpha * (glm::vec3(1) - o.transmission);
-}
+glm::vec3 tau(const Optics& o) { return glm::vec3(1) - o.alpha * (glm::vec3(1) - o.transmission); }
 
 TEST(Optics, OpaqueBlocksAll) {
   Material m;
