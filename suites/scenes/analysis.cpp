@@ -40,8 +40,7 @@ class Notes {
 };
 
 // Instances that some light lists, each once.
-std::vector<uint32_t> castersOf(const Effects& effects,
-                                std::vector<uint32_t> LightEffects::* list) {
+std::vector<uint32_t> castersOf(const Effects& effects, std::vector<uint32_t> LightEffects::*list) {
   std::vector<uint32_t> all;
   for (const LightEffects& light : effects.lights)
     all.insert(all.end(), (light.*list).begin(), (light.*list).end());
@@ -51,7 +50,7 @@ std::vector<uint32_t> castersOf(const Effects& effects,
 }
 
 void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
-  const auto note = [&](Effect effect, std::vector<uint32_t> LightEffects::* list,
+  const auto note = [&](Effect effect, std::vector<uint32_t> LightEffects::*list,
                         const std::string& kind) {
     const size_t n = castersOf(effects, list).size();
     notes.note(effect, n > 0, count(n, kind + " instance") + " may throw shadows into the view",
@@ -68,16 +67,17 @@ void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
   notes.note(Effect::ColouredTransmission, coloured > 0,
              count(coloured, "translucent caster") + " let colours through unequally",
              "no translucent caster has a transmission colour");
-  notes.note(Effect::TexturedTransmission, textured > 0,
-             count(textured, "translucent caster") + " vary over their surface (texture or colours)",
-             "no translucent caster varies over its surface");
+  notes.note(
+      Effect::TexturedTransmission, textured > 0,
+      count(textured, "translucent caster") + " vary over their surface (texture or colours)",
+      "no translucent caster varies over its surface");
 }
 
 void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
   size_t receivers = 0;
   for (const AnalysedInstance& instance : a.instances)
-    receivers += instance.visible && instance.lit &&
-                 (instance.seeThrough() || instance.passesLight());
+    receivers +=
+        instance.visible && instance.lit && (instance.seeThrough() || instance.passesLight());
   const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
   notes.note(Effect::TranslucentReceivers, receivers > 0 && casts,
              count(receivers, "visible translucent instance") + " may receive shadows",
@@ -127,14 +127,14 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
              "the camera sees through nothing");
   const Overlap overlap = findScreenOverlap(a);
   const auto name = [&](uint32_t i) { return "'" + a.scene.instances[i].name + "'"; };
-  notes.note(Effect::CameraLayers, overlap.found(),
-             !overlap.found() ? ""
-             : overlap.first == overlap.second
-                 ? name(overlap.first) + " is not flat and may cover itself"
-                 : name(overlap.first) + " and " + name(overlap.second) +
-                       " may overlap in the picture",
-             through < 2 ? "fewer than two see-through surfaces are visible"
-                         : "see-through instances do not overlap in the picture");
+  notes.note(
+      Effect::CameraLayers, overlap.found(),
+      !overlap.found() ? ""
+      : overlap.first == overlap.second
+          ? name(overlap.first) + " is not flat and may cover itself"
+          : name(overlap.first) + " and " + name(overlap.second) + " may overlap in the picture",
+      through < 2 ? "fewer than two see-through surfaces are visible"
+                  : "see-through instances do not overlap in the picture");
   size_t mapped = 0, emitting = 0;
   for (size_t i = 0; i < a.instances.size(); ++i) {
     if (!a.instances[i].visible) continue;
@@ -142,7 +142,8 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
     mapped += m.normalTexture.present();
     emitting += m.unlit || m.emissive != glm::vec3(0);
   }
-  notes.note(Effect::NormalMaps, mapped > 0, count(mapped, "visible instance") + " have a normal map",
+  notes.note(Effect::NormalMaps, mapped > 0,
+             count(mapped, "visible instance") + " have a normal map",
              "no visible instance has a normal map");
   notes.note(Effect::Emission, emitting > 0,
              count(emitting, "visible instance") + " emit light or are unlit",

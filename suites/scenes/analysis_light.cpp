@@ -41,9 +41,15 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index, bool& medium
     const AnalysedInstance& instance = analysis.instances[i];
     if (!mayCast(instance.box)) continue;
     switch (instance.traits.lightClass) {
-      case MaterialClass::Opaque: light.opaqueCasters.push_back(i); break;
-      case MaterialClass::Perforated: light.perforatedCasters.push_back(i); break;
-      case MaterialClass::Translucent: light.translucentCasters.push_back(i); break;
+      case MaterialClass::Opaque:
+        light.opaqueCasters.push_back(i);
+        break;
+      case MaterialClass::Perforated:
+        light.perforatedCasters.push_back(i);
+        break;
+      case MaterialClass::Translucent:
+        light.translucentCasters.push_back(i);
+        break;
     }
   }
   mediumBetween |= std::ranges::any_of(analysis.media, mayCast);

@@ -11,7 +11,7 @@ namespace sb {
 
 /// One instance as the analysis sees it.
 struct AnalysedInstance {
-  Box box;               ///< relative to the eye
+  Box box;  ///< relative to the eye
   MaterialTraits traits;
   bool visible = false;  ///< may lie in the view
   bool lit = false;      ///< its material is shaded by lights

@@ -2,8 +2,7 @@
 
 namespace sb {
 
-Box transformedBox(glm::dvec3 low, glm::dvec3 high, const glm::dmat4& toWorld,
-                   glm::dvec3 origin) {
+Box transformedBox(glm::dvec3 low, glm::dvec3 high, const glm::dmat4& toWorld, glm::dvec3 origin) {
   const Box mesh{low, high};
   const glm::dmat3 linear(toWorld);
   const glm::dvec3 shift = glm::dvec3(toWorld[3]) - origin;

@@ -35,8 +35,8 @@ json materialsJson(const Scene& scene) {
                     {"coloured", traits.coloured},
                     {"seen_through", traits.cameraTranslucent}});
   }
-  return {{"opaque", counts[0]}, {"perforated", counts[1]}, {"translucent", counts[2]},
-          {"list", list}};
+  return {
+      {"opaque", counts[0]}, {"perforated", counts[1]}, {"translucent", counts[2]}, {"list", list}};
 }
 
 json lightJson(const Light& light, const LightEffects& effects) {
@@ -102,12 +102,10 @@ json describeJson(const Scene& scene, const Effects& effects) {
     j["lights"].push_back(lightJson(scene.lights[i], effects.lights.at(i)));
   for (const Camera& camera : scene.cameras) j["cameras"].push_back(cameraJson(camera));
   for (const Image& image : scene.images)
-    j["images"].push_back(
-        {{"name", image.name}, {"width", image.width}, {"height", image.height}});
+    j["images"].push_back({{"name", image.name}, {"width", image.width}, {"height", image.height}});
   for (const auto& [effect, why] : effects.reason)
-    j["effects"].push_back({{"effect", effectName(effect)},
-                            {"present", effects.present.has(effect)},
-                            {"why", why}});
+    j["effects"].push_back(
+        {{"effect", effectName(effect)}, {"present", effects.present.has(effect)}, {"why", why}});
   return j;
 }
 

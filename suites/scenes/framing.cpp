@@ -19,8 +19,7 @@ Camera framingCamera(const Box& box) {
   camera.name = "framing";
   camera.fovY = 0.8;
   const double distance = 1.05 * radius / std::sin(0.5 * camera.fovY);
-  camera.toWorld =
-      lookFrom(center + distance * glm::normalize(glm::dvec3(0.5, 0.45, 1.0)), center);
+  camera.toWorld = lookFrom(center + distance * glm::normalize(glm::dvec3(0.5, 0.45, 1.0)), center);
   camera.nearPlane = 0.9 * (distance - radius);
   camera.farPlane = 1.1 * (distance + radius);
   return camera;

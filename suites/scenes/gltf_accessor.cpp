@@ -34,16 +34,21 @@ float toFloat(const uint8_t* bytes, int type, bool normalized) {
       const float v = load<uint16_t>(bytes);
       return normalized ? v / 65535.0f : v;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return float(load<uint32_t>(bytes));
-    default: return load<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return float(load<uint32_t>(bytes));
+    default:
+      return load<float>(bytes);
   }
 }
 
 uint32_t toIndex(const uint8_t* bytes, int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return *bytes;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<uint16_t>(bytes);
-    default: return load<uint32_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return *bytes;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<uint16_t>(bytes);
+    default:
+      return load<uint32_t>(bytes);
   }
 }
 
@@ -83,11 +88,16 @@ void forEachElement(const GltfContext& context, const std::string& field,
 int componentCount(const GltfContext& context, const std::string& field, int index) {
   const int type = context.model.accessors[size_t(index)].type;
   switch (type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
-    default: context.fail(field, "is a matrix accessor, expected a scalar or a vector");
+    case TINYGLTF_TYPE_SCALAR:
+      return 1;
+    case TINYGLTF_TYPE_VEC2:
+      return 2;
+    case TINYGLTF_TYPE_VEC3:
+      return 3;
+    case TINYGLTF_TYPE_VEC4:
+      return 4;
+    default:
+      context.fail(field, "is a matrix accessor, expected a scalar or a vector");
   }
 }
 
@@ -105,14 +115,12 @@ std::vector<float> readFloats(const GltfContext& context, const std::string& fie
   return values;
 }
 
-std::vector<uint32_t> readIndices(const GltfContext& context, const std::string& field,
-                                  int index) {
+std::vector<uint32_t> readIndices(const GltfContext& context, const std::string& field, int index) {
   const tinygltf::Accessor& accessor = context.model.accessors[size_t(index)];
   const int type = accessor.componentType;
-  if (accessor.type != TINYGLTF_TYPE_SCALAR ||
-      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT))
+  if (accessor.type != TINYGLTF_TYPE_SCALAR || (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+                                                type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+                                                type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT))
     context.fail(field, "is accessors[" + std::to_string(index) + "] with componentType " +
                             std::to_string(type) +
                             ", expected a SCALAR of 5121, 5123 or 5125 (unsigned integers)");

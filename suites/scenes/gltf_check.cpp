@@ -12,7 +12,7 @@ using nlohmann::json;
 enum class Kind { UInt, Number, Bool, String, Object, Numbers, Index, Indices };
 
 struct Rule {
-  const char* owner;       ///< objects that hold the property
+  const char* owner;  ///< objects that hold the property
   const char* key;
   Kind kind;
   bool required = false;
@@ -176,8 +176,8 @@ void checkUInt(const GltfSource& source, json& value, const std::string& field) 
     source.fail(field, "is " + shown(value) + ", expected a whole number >= 0");
   // tinygltf keeps offsets and counts in 32 bits here and there.
   if (value.get<uint64_t>() > kMaxFileBytes)
-    source.fail(field, "is " + shown(value) + ", expected at most " +
-                           std::to_string(kMaxFileBytes));
+    source.fail(field,
+                "is " + shown(value) + ", expected at most " + std::to_string(kMaxFileBytes));
 }
 
 void checkIndex(const GltfSource& source, json& value, const std::string& field,
@@ -200,10 +200,14 @@ void checkValue(const GltfSource& source, const Rule& rule, json& value, const s
     if (!right) source.fail(field, "is " + shown(value) + ", expected " + expected);
   };
   switch (rule.kind) {
-    case Kind::Bool: return expect(value.is_boolean(), "true or false");
-    case Kind::String: return expect(value.is_string(), "a string");
-    case Kind::Object: return expect(value.is_object(), "an object");
-    case Kind::Index: return checkIndex(source, value, field, rule.target);
+    case Kind::Bool:
+      return expect(value.is_boolean(), "true or false");
+    case Kind::String:
+      return expect(value.is_string(), "a string");
+    case Kind::Object:
+      return expect(value.is_object(), "an object");
+    case Kind::Index:
+      return checkIndex(source, value, field, rule.target);
     case Kind::Indices:
       checkArray(source, value, field);
       for (size_t i = 0; i < value.size(); ++i)
@@ -215,8 +219,12 @@ void checkValue(const GltfSource& source, const Rule& rule, json& value, const s
              ("an array of " + std::to_string(rule.count) + " numbers").c_str());
       for (const json& number : value) expect(number.is_number(), "numbers only");
       return;
-    case Kind::UInt: checkUInt(source, value, field); break;
-    case Kind::Number: expect(value.is_number(), "a number"); break;
+    case Kind::UInt:
+      checkUInt(source, value, field);
+      break;
+    case Kind::Number:
+      expect(value.is_number(), "a number");
+      break;
   }
   const double number = value.get<double>();
   if (number >= rule.low && number <= rule.high) return;

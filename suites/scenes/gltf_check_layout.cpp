@@ -135,7 +135,8 @@ void checkAccessors(GltfSource& source) {
     if (accessor.contains("bufferView"))
       checkFits(source, field, accessor["bufferView"], offset, count, bytes, true);
     else if (count > kMaxVertices)
-      source.fail(field + ".count", "is " + std::to_string(count) + " without a bufferView, at most " +
+      source.fail(field + ".count", "is " + std::to_string(count) +
+                                        " without a bufferView, at most " +
                                         std::to_string(kMaxVertices) + " are read");
     if (accessor.contains("sparse")) checkSparse(source, accessor, field, bytes);
     if (accessor.value("normalized", false) && accessor["componentType"].get<int>() >= 5125)

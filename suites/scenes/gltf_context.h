@@ -1,12 +1,12 @@
 // What the parts of the glTF loader share while one file becomes a Scene. Internal to the loader.
 #pragma once
 
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include <tiny_gltf.h>
 
 #include "suites/scenes/gltf_source.h"
 #include "techniques/common/scene.h"
@@ -17,10 +17,10 @@ struct GltfContext {
   GltfSource& source;
   const tinygltf::Model& model;
   Scene& scene;
-  size_t vertices = 0;            ///< made so far, against kMaxVertices
-  size_t triangles = 0;           ///< made so far, against kMaxTriangles
-  size_t degenerate = 0;          ///< triangles dropped
-  size_t repairedNormals = 0;     ///< normals of no length, replaced
+  size_t vertices = 0;         ///< made so far, against kMaxVertices
+  size_t triangles = 0;        ///< made so far, against kMaxTriangles
+  size_t degenerate = 0;       ///< triangles dropped
+  size_t repairedNormals = 0;  ///< normals of no length, replaced
   /// Scene meshes of each glTF mesh, one per primitive that draws triangles.
   std::vector<std::vector<uint32_t>> meshes;
 
@@ -54,10 +54,9 @@ void readMaterialExtras(const GltfContext& context, const std::string& field,
 double readLightRadius(const GltfContext& context, const std::string& field,
                        const tinygltf::Value& extras);
 /// Appends a medium if the node's extras state one.
-void readMediumExtras(GltfContext& context, const std::string& field,
-                      const tinygltf::Value& extras, const glm::dmat4& toWorld);
-void readSceneExtras(GltfContext& context, const std::string& field,
-                     const tinygltf::Value& extras);
+void readMediumExtras(GltfContext& context, const std::string& field, const tinygltf::Value& extras,
+                      const glm::dmat4& toWorld);
+void readSceneExtras(GltfContext& context, const std::string& field, const tinygltf::Value& extras);
 
 /// Elements of accessor `index` as floats, `components` each; normalized integers become [0,1] or
 /// [-1,1]. Sparse accessors are resolved. `field` names the user in errors.

@@ -1,8 +1,8 @@
 // The keys of ours that a glTF file may carry under `extras.shadowbench`, where other viewers leave
 // them alone (described for users in EXTRAS.md):
 //   material  {"alpha": 0..1, "t": [r,g,b] 0..1}   opacity and transmission colour stated outright
-//   light     {"radius": r >= 0}                   world units (point, spot) or radians (directional)
-//   node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
+//   light     {"radius": r >= 0}                   world units (point, spot) or radians
+//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
 //              "albedo": [r,g,b] 0..1, "anisotropy": -1..1, "seed": 0..}}
 //                                                  fills the node's unit cube [0,1]^3
 //   scene     {"ambient": [r,g,b] >= 0, "background": [r,g,b] >= 0}
@@ -34,9 +34,8 @@ double number(const GltfContext& context, const std::string& field, const Value&
               double high) {
   const double d = value.IsNumber() ? value.GetNumberAsDouble() : NAN;
   if (!(d >= low && d <= high)) {
-    const std::string range = std::isfinite(high)
-                                  ? "from " + shown(low) + " to " + shown(high)
-                                  : "of at least " + shown(low);
+    const std::string range = std::isfinite(high) ? "from " + shown(low) + " to " + shown(high)
+                                                  : "of at least " + shown(low);
     context.fail(field, (value.IsNumber() ? "is " + shown(d) : "is no number") +
                             ", expected a number " + range);
   }

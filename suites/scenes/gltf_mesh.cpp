@@ -73,8 +73,7 @@ std::vector<uint32_t> toTriangleList(int mode, const std::vector<uint32_t>& v) {
 
 void readPositions(const GltfContext& context, const Attribute& position, Mesh& mesh) {
   const size_t count = context.model.accessors[size_t(position.accessor)].count;
-  mesh.positions =
-      asVectors<glm::vec3>(readAttribute(context, position, 3, count, false));
+  mesh.positions = asVectors<glm::vec3>(readAttribute(context, position, 3, count, false));
   for (size_t i = 0; i < count; ++i)
     for (int c = 0; c < 3; ++c)
       if (!std::isfinite(mesh.positions[i][c]))
@@ -85,8 +84,8 @@ void readPositions(const GltfContext& context, const Attribute& position, Mesh& 
                                          "), expected finite numbers");
 }
 
-void readTriangles(const GltfContext& context, const Primitive& primitive,
-                   const std::string& field, int mode, Mesh& mesh) {
+void readTriangles(const GltfContext& context, const Primitive& primitive, const std::string& field,
+                   int mode, Mesh& mesh) {
   std::vector<uint32_t> corners;
   if (primitive.indices >= 0) {
     corners = readIndices(context, field + ".indices", primitive.indices);
@@ -106,7 +105,8 @@ void readTriangles(const GltfContext& context, const Primitive& primitive,
 void readColours(const GltfContext& context, const Attribute& colour, Mesh& mesh) {
   const int components = componentCount(context, colour.field, colour.accessor);
   if (components != 3 && components != 4)
-    context.fail(colour.field, "has " + std::to_string(components) + " components, expected 3 or 4");
+    context.fail(colour.field,
+                 "has " + std::to_string(components) + " components, expected 3 or 4");
   const std::vector<float> floats =
       readAttribute(context, colour, components, mesh.positions.size(), true);
   mesh.colors.assign(mesh.positions.size(), glm::vec4(1));
@@ -119,12 +119,12 @@ void finish(GltfContext& context, const std::string& field, const Attribute& nor
             const Attribute& tangent, Mesh& mesh) {
   const Material& material = context.scene.materials[mesh.material];
   if (normal.accessor >= 0)
-    mesh.normals = asVectors<glm::vec3>(
-        readAttribute(context, normal, 3, mesh.positions.size(), false));
+    mesh.normals =
+        asVectors<glm::vec3>(readAttribute(context, normal, 3, mesh.positions.size(), false));
   const bool mapped = material.normalTexture.present();
   if (mapped && tangent.accessor >= 0 && normal.accessor >= 0)
-    mesh.tangents = asVectors<glm::vec4>(
-        readAttribute(context, tangent, 4, mesh.positions.size(), false));
+    mesh.tangents =
+        asVectors<glm::vec4>(readAttribute(context, tangent, 4, mesh.positions.size(), false));
   context.degenerate += dropDegenerate(mesh);
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
@@ -138,7 +138,7 @@ void finish(GltfContext& context, const std::string& field, const Attribute& nor
       mesh.tangents.clear();
       break;
     }
-    t = glm::vec4(glm::vec3(t) / length, t.w);
+    if (std::abs(length - 1) > 1e-6f) t = glm::vec4(glm::vec3(t) / length, t.w);
   }
   if (mapped && mesh.tangents.empty()) makeTangents(mesh, material.normalTexture.uvSet);
   computeBounds(mesh);
@@ -187,8 +187,8 @@ void readMeshes(GltfContext& context) {
       Mesh mesh;
       mesh.name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
       if (source.primitives.size() > 1) mesh.name += "." + std::to_string(p);
-      mesh.material = primitive.material >= 0 ? uint32_t(primitive.material)
-                                              : defaultMaterial(context);
+      mesh.material =
+          primitive.material >= 0 ? uint32_t(primitive.material) : defaultMaterial(context);
       context.vertices += context.model.accessors[size_t(position.accessor)].count;
       if (primitive.indices >= 0)
         context.triangles += context.model.accessors[size_t(primitive.indices)].count / 3 + 1;
@@ -198,11 +198,9 @@ void readMeshes(GltfContext& context) {
       readPositions(context, position, mesh);
       readTriangles(context, primitive, field, mode, mesh);
       if (const Attribute uv = findAttribute(primitive, field, "TEXCOORD_0"); uv.accessor >= 0)
-        mesh.uv0 = asVectors<glm::vec2>(
-            readAttribute(context, uv, 2, mesh.positions.size(), true));
+        mesh.uv0 = asVectors<glm::vec2>(readAttribute(context, uv, 2, mesh.positions.size(), true));
       if (const Attribute uv = findAttribute(primitive, field, "TEXCOORD_1"); uv.accessor >= 0)
-        mesh.uv1 = asVectors<glm::vec2>(
-            readAttribute(context, uv, 2, mesh.positions.size(), true));
+        mesh.uv1 = asVectors<glm::vec2>(readAttribute(context, uv, 2, mesh.positions.size(), true));
       if (const Attribute c = findAttribute(primitive, field, "COLOR_0"); c.accessor >= 0)
         readColours(context, c, mesh);
       finish(context, field, findAttribute(primitive, field, "NORMAL"),

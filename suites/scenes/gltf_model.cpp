@@ -15,7 +15,8 @@ tinygltf::Model parseModel(const GltfSource& source) {
   // We read these ourselves, or not at all.
   for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);
   for (auto& mesh : json["meshes"])
-    for (auto& primitive : mesh["primitives"]) primitive.erase("targets"), primitive.erase("indices");
+    for (auto& primitive : mesh["primitives"])
+      primitive.erase("targets"), primitive.erase("indices");
   for (auto& node : json["nodes"]) node.erase("weights"), node.erase("skin");
   if (json["meshes"].is_null()) json.erase("meshes");
   if (json["nodes"].is_null()) json.erase("nodes");

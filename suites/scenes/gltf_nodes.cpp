@@ -3,7 +3,7 @@
 
 #include "suites/scenes/bounds.h"
 #include "suites/scenes/gltf_context.h"
-#include "suites/scenes/mesh_tools.h"
+#include "suites/scenes/gltf_variants.h"
 
 namespace sb {
 namespace {
@@ -11,8 +11,7 @@ namespace {
 glm::dmat4 localTransform(GltfContext& context, const std::string& field,
                           const tinygltf::Node& node) {
   glm::dmat4 m(1);
-  const bool parts =
-      !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
+  const bool parts = !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
   if (!node.matrix.empty()) {
     if (parts) context.warn(field + " has a matrix and other transforms: the matrix is used");
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[size_t(i)];
@@ -45,52 +44,6 @@ bool finite(const glm::dmat4& m) {
   return true;
 }
 
-// Meshes as instances need them: a mirroring transform wants the winding reversed, and a volume's
-// thickness, stated in mesh units, grows with the scale of the node.
-class Variants {
- public:
-  explicit Variants(GltfContext& context) : m_context(context) {}
-
-  uint32_t get(uint32_t mesh, const glm::dmat4& toWorld) {
-    Scene& scene = m_context.scene;
-    const double determinant = glm::determinant(glm::dmat3(toWorld));
-    const bool mirrored = determinant < 0;
-    double scale = 1;
-    if (scene.materials[scene.meshes[mesh].material].thickness > 0) {
-      scale = std::cbrt(std::abs(determinant));
-      if (std::abs(scale - 1) < 1e-6) scale = 1;
-    }
-    const auto [found, added] = m_meshes.try_emplace({mesh, mirrored, scale}, mesh);
-    if (!added || (!mirrored && scale == 1)) return found->second;
-    Mesh variant = mirrored ? mirroredMesh(scene.meshes[mesh]) : scene.meshes[mesh];
-    if (scale != 1) variant.material = thickened(variant.material, scale);
-    variant.key = uint32_t(scene.meshes.size());
-    m_context.vertices += variant.positions.size();
-    m_context.triangles += variant.triangleCount();
-    if (m_context.vertices > kMaxVertices || m_context.triangles > kMaxTriangles)
-      m_context.fail("nodes", "instances take the file beyond " + std::to_string(kMaxVertices) +
-                                  " vertices or triangles");
-    scene.meshes.push_back(std::move(variant));
-    return found->second = uint32_t(scene.meshes.size() - 1);
-  }
-
- private:
-  uint32_t thickened(uint32_t material, double scale) {
-    Scene& scene = m_context.scene;
-    const auto [found, added] =
-        m_materials.try_emplace({material, scale}, uint32_t(scene.materials.size()));
-    if (added) {
-      scene.materials.push_back(scene.materials[material]);
-      scene.materials.back().thickness *= float(scale);
-    }
-    return found->second;
-  }
-
-  GltfContext& m_context;
-  std::map<std::tuple<uint32_t, bool, double>, uint32_t> m_meshes;
-  std::map<std::pair<uint32_t, double>, uint32_t> m_materials;
-};
-
 void addLight(GltfContext& context, const tinygltf::Value& reference, const glm::dmat4& toWorld) {
   const size_t index = size_t(reference.Get("light").GetNumberAsInt());
   const std::string field = fieldAt("extensions.KHR_lights_punctual.lights", index);
@@ -104,8 +57,7 @@ void addLight(GltfContext& context, const tinygltf::Value& reference, const glm:
   else if (source.type == "spot")
     light.type = LightType::Spot;
   else
-    context.fail(field + ".type",
-                 "is '" + source.type + "', expected directional, point or spot");
+    context.fail(field + ".type", "is '" + source.type + "', expected directional, point or spot");
   for (int i = 0; i < 3 && source.color.size() == 3; ++i)
     light.color[i] = float(source.color[size_t(i)]);
   light.intensity = float(source.intensity);
@@ -237,8 +189,7 @@ void readNodes(GltfContext& context) {
     const glm::dmat4 toWorld = parent * localTransform(context, field, node);
     if (!finite(toWorld)) context.fail(field, "its transform overflows, expected finite numbers");
     const std::string name = node.name.empty() ? "node" + std::to_string(index) : node.name;
-    if (node.mesh >= 0)
-      addInstances(context, field, name, size_t(node.mesh), toWorld, variants);
+    if (node.mesh >= 0) addInstances(context, field, name, size_t(node.mesh), toWorld, variants);
     if (node.camera >= 0) addCamera(context, field, node.camera, toWorld);
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) addLight(context, light->second, toWorld);
@@ -254,6 +205,7 @@ void readNodes(GltfContext& context) {
       addInstances(context, fieldAt("meshes", m), context.model.meshes[m].name, m, glm::dmat4(1),
                    variants);
   }
+  variants.arrange();
   closeFarPlanes(context.scene);
 }
 

@@ -112,8 +112,7 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
     source.fail("JSON", counter.error);
   }
   json value = json::parse(text.begin(), text.end());
-  if (!value.is_object())
-    source.fail("JSON", "is " + shown(value) + ", expected an object");
+  if (!value.is_object()) source.fail("JSON", "is " + shown(value) + ", expected an object");
   return value;
 }
 
@@ -129,8 +128,8 @@ void GltfSource::warn(const std::string& what) {
 
 std::string shown(const json& value) {
   // Long strings may hold megabytes of base64; bytes that are no UTF-8 must not throw here.
-  std::string text = value.is_array() && value.size() > 16  ? "an array of " +
-                                                                 std::to_string(value.size())
+  std::string text = value.is_array() && value.size() > 16
+                         ? "an array of " + std::to_string(value.size())
                      : value.is_object() && value.size() > 4 ? "an object"
                      : value.is_string() && value.get_ref<const std::string&>().size() > 60
                          ? "\"" + value.get_ref<const std::string&>().substr(0, 57) + "...\""

@@ -11,9 +11,12 @@ using nlohmann::json;
 
 Wrap readWrap(const GltfContext& context, const std::string& field, int mode) {
   switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_REPEAT: return Wrap::Repeat;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return Wrap::MirroredRepeat;
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return Wrap::ClampToEdge;
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return Wrap::Repeat;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::MirroredRepeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::ClampToEdge;
     default:
       context.fail(field, "is " + std::to_string(mode) + ", expected 10497, 33648 or 33071");
   }
@@ -45,8 +48,7 @@ std::vector<uint8_t> imageBytes(GltfContext& context, const std::string& field, 
                                 std::string& mimeType) {
   if (image.contains("uri") == image.contains("bufferView"))
     context.fail(field, "needs either a uri or a bufferView");
-  if (image.contains("uri"))
-    return readUri(context.source, field + ".uri", image["uri"], mimeType);
+  if (image.contains("uri")) return readUri(context.source, field + ".uri", image["uri"], mimeType);
   const size_t index = image["bufferView"].get<size_t>();
   const tinygltf::BufferView& view = context.model.bufferViews[index];
   if (view.byteStride != 0)

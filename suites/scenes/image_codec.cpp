@@ -60,8 +60,7 @@ Image decodeImage(std::span<const uint8_t> bytes, size_t maxPixels, std::string&
                    " pixels, more than the " + std::to_string(maxPixels) + " left to read",
            image;
   uint8_t* pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
-  if (!pixels)
-    return error = std::string("cannot be decoded: ") + stbi_failure_reason(), image;
+  if (!pixels) return error = std::string("cannot be decoded: ") + stbi_failure_reason(), image;
   image.width = uint32_t(width);
   image.height = uint32_t(height);
   image.rgba.assign(pixels, pixels + size_t(width) * size_t(height) * 4);

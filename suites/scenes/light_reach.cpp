@@ -12,8 +12,7 @@ double squaredDistance(glm::dvec3 p, const Box& box) {
 }
 
 // False only if the sphere lies outside the cone.
-bool coneTouches(glm::dvec3 apex, glm::dvec3 axis, double angle, glm::dvec3 center,
-                 double radius) {
+bool coneTouches(glm::dvec3 apex, glm::dvec3 axis, double angle, glm::dvec3 center, double radius) {
   if (angle >= 1.5707963) return true;
   const glm::dvec3 v = center - apex;
   const double along = glm::dot(v, axis);
@@ -46,8 +45,15 @@ bool LightReach::mayLight(const Box& box) const {
   if (m_directional) return true;
   const double reach = m_range + m_radius;
   if (squaredDistance(m_position, box) > reach * reach * (1 + 1e-6)) return false;
-  return !m_cone || coneTouches(m_position, m_direction, m_outerCone, box.center(),
-                                box.radius() * (1 + 1e-6) + m_radius);
+  if (!m_cone) return true;
+  // What lies behind the apex gets nothing, however near (the sphere below may reach around it).
+  const auto ahead = [&](int i) {
+    return glm::dot(box.corner(i) - m_position, m_direction) >= -m_radius - 1e-6 * box.radius();
+  };
+  bool any = m_outerCone >= 1.5707963;
+  for (int i = 0; i < 8; ++i) any |= ahead(i);
+  return any && coneTouches(m_position, m_direction, m_outerCone, box.center(),
+                            box.radius() * (1 + 1e-6) + m_radius);
 }
 
 Box LightReach::toLightSpace(const Box& box) const {
@@ -66,8 +72,7 @@ bool LightReach::sweptTouches(const Box& caster, const Box& receiver, double spr
 
 bool LightReach::mayShadow(const Box& caster, const Box& receiver) const {
   if (caster.empty() || receiver.empty()) return false;
-  if (m_directional)
-    return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
+  if (m_directional) return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
   if (!mayLight(caster)) return false;
   // All rays in question lie in the box around light and receiver.
   Box between{m_position, m_position};

@@ -85,8 +85,10 @@ size_t repairNormals(Mesh& mesh) {
   for (size_t i = 0; i < mesh.normals.size(); ++i) {
     const double length = glm::length(glm::dvec3(mesh.normals[i]));
     broken[i] = !(length > 1e-6 && std::isfinite(length));
-    mesh.normals[i] = broken[i] ? glm::vec3(0, 0, 1)
-                                : glm::vec3(glm::dvec3(mesh.normals[i]) / length);
+    if (broken[i])
+      mesh.normals[i] = glm::vec3(0, 0, 1);
+    else if (std::abs(length - 1) > 1e-6)  // those of a file that was written here stay as they are
+      mesh.normals[i] = glm::vec3(glm::dvec3(mesh.normals[i]) / length);
   }
   for (size_t i = 0; i < mesh.indices.size(); ++i) {
     if (!broken[mesh.indices[i]]) continue;
@@ -125,8 +127,7 @@ void makeTangents(Mesh& mesh, uint32_t uvSet) {
     const glm::dvec3 t = alongU[i] - n * glm::dot(n, alongU[i]);
     const double length = glm::length(t);
     const bool usable = length > 1e-9 * glm::length(alongU[i]) && std::isfinite(length);
-    const glm::vec3 tangent =
-        usable ? glm::vec3(t / length) : anyPerpendicular(mesh.normals[i]);
+    const glm::vec3 tangent = usable ? glm::vec3(t / length) : anyPerpendicular(mesh.normals[i]);
     const bool left = glm::dot(glm::cross(n, glm::dvec3(tangent)), alongV[i]) < 0;
     mesh.tangents[i] = glm::vec4(tangent, left ? -1.0f : 1.0f);
   }

@@ -7,7 +7,8 @@
 
 namespace sb {
 
-/// Sets boundsMin, boundsMax to the box of the vertices that triangles use (zero if there are none).
+/// Sets boundsMin, boundsMax to the box of the vertices that triangles use (zero if there are
+/// none).
 void computeBounds(Mesh& mesh);
 /// Numbers the triangles in order: triangleKeys.
 void numberTriangles(Mesh& mesh);

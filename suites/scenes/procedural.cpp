@@ -72,8 +72,8 @@ Parsed parseSpec(std::string_view spec) {
     if (scene.info.name == name) parsed.scene = &scene;
   }
   if (!parsed.scene)
-    throw InputError(where, unknownName("scene", name, names) +
-                                " (or a path that ends in .gltf or .glb)");
+    throw InputError(where,
+                     unknownName("scene", name, names) + " (or a path that ends in .gltf or .glb)");
   const std::vector<SceneParam>& params = parsed.scene->info.params;
   for (const SceneParam& param : params) parsed.values[param.name] = param.fallback;
   if (name.size() == spec.size()) return parsed;

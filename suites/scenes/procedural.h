@@ -13,9 +13,9 @@ namespace sb {
 /// One parameter of a procedural scene: a number, a whole number or one of `choices`.
 struct SceneParam {
   std::string name;
-  std::string unit;                  ///< "" if it has none
-  double fallback = 0;               ///< default; of choices: its index
-  double low = 0, high = 0;          ///< range, both included; of choices: unused
+  std::string unit;          ///< "" if it has none
+  double fallback = 0;       ///< default; of choices: its index
+  double low = 0, high = 0;  ///< range, both included; of choices: unused
   bool whole = false;
   std::vector<std::string> choices;
   std::string help;

@@ -12,8 +12,7 @@ namespace sb {
 namespace {
 
 uint8_t toSrgb(double linear) {
-  const double s =
-      linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
   return uint8_t(std::lround(255 * glm::clamp(s, 0.0, 1.0)));
 }
 
@@ -42,8 +41,8 @@ Scene make(const ParamValues& p) {
   const uint32_t white = addMaterial(scene, matteMaterial("white", glm::vec3(0.9f)));
   const uint32_t grey = addMaterial(scene, paneMaterial("grey", glm::vec3(0.4f), alpha));
   Material rainbowPane = paneMaterial("rainbow", glm::vec3(1), alpha);
-  rainbowPane.baseColorTexture = {.image = 0, .wrapU = Wrap::ClampToEdge,
-                                  .wrapV = Wrap::ClampToEdge, .srgb = true};
+  rainbowPane.baseColorTexture = {
+      .image = 0, .wrapU = Wrap::ClampToEdge, .wrapV = Wrap::ClampToEdge, .srgb = true};
   const uint32_t rainbow = addMaterial(scene, rainbowPane);
   const uint32_t blue = addMaterial(scene, paneMaterial("blue", {0.05f, 0.15f, 1.0f}, alpha));
 
@@ -72,7 +71,7 @@ Scene make(const ParamValues& p) {
   Camera camera;
   camera.name = "view";
   camera.fovY = 0.8;
-  camera.toWorld = lookFrom({5, 2.5, 21.5}, {-0.9, 0.5, 0.5});
+  camera.toWorld = lookFrom({5, 2.5, 22.5}, {-0.7, 0.5, 0.5});
   camera.nearPlane = 2;
   camera.farPlane = 60;
   scene.cameras.push_back(camera);
@@ -84,12 +83,24 @@ Scene make(const ParamValues& p) {
 ProceduralScene layers() {
   return {{"layers",
            "white light through grey, rainbow and blue quads onto a white one (seed 000, 5.3.3)",
-           {{.name = "alpha", .fallback = 0.6, .low = 0, .high = 1,
+           {{.name = "alpha",
+             .fallback = 0.6,
+             .low = 0,
+             .high = 1,
              .help = "opacity of the three panes"},
-            {.name = "gap", .unit = "world units", .fallback = 1.5, .low = 0.1, .high = 2,
+            {.name = "gap",
+             .unit = "world units",
+             .fallback = 1.5,
+             .low = 0.1,
+             .high = 2,
              .help = "distance between one layer and the next"},
-            {.name = "resolution", .unit = "texels", .fallback = 512, .low = 8, .high = 4096,
-             .whole = true, .help = "width of the rainbow texture"},
+            {.name = "resolution",
+             .unit = "texels",
+             .fallback = 512,
+             .low = 8,
+             .high = 4096,
+             .whole = true,
+             .help = "width of the rainbow texture"},
             sunRadiusParam()}},
           make};
 }

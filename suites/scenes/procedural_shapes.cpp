@@ -28,8 +28,8 @@ Mesh quadMesh(std::string name, uint32_t material, glm::vec2 half) {
   Mesh mesh;
   mesh.name = std::move(name);
   mesh.material = material;
-  mesh.positions = {{-half.x, -half.y, 0}, {half.x, -half.y, 0}, {half.x, half.y, 0},
-                    {-half.x, half.y, 0}};
+  mesh.positions = {
+      {-half.x, -half.y, 0}, {half.x, -half.y, 0}, {half.x, half.y, 0}, {-half.x, half.y, 0}};
   mesh.normals.assign(4, glm::vec3(0, 0, 1));
   mesh.uv0 = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   mesh.indices = {0, 1, 2, 0, 2, 3};
@@ -46,13 +46,14 @@ Mesh sphereMesh(std::string name, uint32_t material, uint32_t rings) {
   for (uint32_t r = 1; r < rings; ++r)
     for (uint32_t s = 0; s < segments; ++s) {
       const double polar = kPi * r / rings, turn = 2 * kPi * s / segments;
-      mesh.positions.push_back(glm::vec3(glm::dvec3(std::sin(polar) * std::sin(turn),
-                                                    std::cos(polar),
-                                                    std::sin(polar) * std::cos(turn))));
+      mesh.positions.push_back(glm::vec3(glm::dvec3(
+          std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn))));
     }
   mesh.positions.push_back({0, -1, 0});
   mesh.normals = mesh.positions;
-  const auto at = [&](uint32_t ring, uint32_t s) { return 1 + (ring - 1) * segments + s % segments; };
+  const auto at = [&](uint32_t ring, uint32_t s) {
+    return 1 + (ring - 1) * segments + s % segments;
+  };
   const uint32_t south = uint32_t(mesh.positions.size() - 1);
   for (uint32_t s = 0; s < segments; ++s) {
     mesh.indices.insert(mesh.indices.end(), {0, at(1, s), at(1, s + 1)});
@@ -91,7 +92,11 @@ Material paneMaterial(std::string name, glm::vec3 colour, float alpha) {
 }
 
 SceneParam sunRadiusParam() {
-  return {.name = "sun", .unit = "degrees", .fallback = 0, .low = 0, .high = 10,
+  return {.name = "sun",
+          .unit = "degrees",
+          .fallback = 0,
+          .low = 0,
+          .high = 10,
           .help = "angular radius of the light; 0 casts hard shadows"};
 }
 

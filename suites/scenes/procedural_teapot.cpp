@@ -1,5 +1,5 @@
-// The Utah teapot from its Bezier patches, opaque, on a white floor, with coloured translucent panes
-// between the light and the pot. The lid is widened by 1.4 / 1.3 so that it meets the rim.
+// The Utah teapot from its Bezier patches, opaque, on a white floor, with coloured translucent
+// panes between the light and the pot. The lid is widened by 1.4 / 1.3 so that it meets the rim.
 #include <cmath>
 #include <tuple>
 
@@ -136,7 +136,7 @@ Scene make(const ParamValues& p) {
   Camera camera;
   camera.name = "view";
   camera.fovY = 0.8;
-  camera.toWorld = lookFrom({3.0, 7.5, 13.5}, {0.2, 1.0, 0});
+  camera.toWorld = lookFrom({2.6, 7.8, 14.2}, {-0.6, 1.1, 0});
   camera.nearPlane = 2;
   camera.farPlane = 40;
   scene.cameras.push_back(camera);
@@ -146,8 +146,13 @@ Scene make(const ParamValues& p) {
 }  // namespace
 
 ProceduralScene teapot() {
-  return {{"teapot", "the Utah teapot behind coloured panes",
-           {{.name = "segments", .fallback = 10, .low = 1, .high = 100, .whole = true,
+  return {{"teapot",
+           "the Utah teapot behind coloured panes",
+           {{.name = "segments",
+             .fallback = 10,
+             .low = 1,
+             .high = 100,
+             .whole = true,
              .help = "tessellation: each of the 32 patches has 2 segments^2 triangles"},
             {.name = "alpha", .fallback = 0.6, .low = 0, .high = 1, .help = "opacity of the panes"},
             sunRadiusParam()}},

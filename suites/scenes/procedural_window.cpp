@@ -13,8 +13,8 @@ Scene make(const ParamValues& p) {
   scene.images.push_back(roseWindowImage(uint32_t(p.find("resolution")->second)));
   const uint32_t white = addMaterial(scene, matteMaterial("white", glm::vec3(0.9f)));
   Material glass = paneMaterial("rose window", glm::vec3(1), 1);
-  glass.baseColorTexture = {.image = 0, .wrapU = Wrap::ClampToEdge, .wrapV = Wrap::ClampToEdge,
-                            .srgb = true};
+  glass.baseColorTexture = {
+      .image = 0, .wrapU = Wrap::ClampToEdge, .wrapV = Wrap::ClampToEdge, .srgb = true};
   const uint32_t rose = addMaterial(scene, glass);
 
   // Both are turned toward the light, which comes from behind the camera's left shoulder.
@@ -30,7 +30,7 @@ Scene make(const ParamValues& p) {
   Camera camera;
   camera.name = "view";
   camera.fovY = 0.8;
-  camera.toWorld = lookFrom({0.2, 0.6, 16}, {0.1, 0, -1});
+  camera.toWorld = lookFrom({-0.1, 0.6, 17}, {-0.1, 0, -1});
   camera.nearPlane = 2;
   camera.farPlane = 50;
   scene.cameras.push_back(camera);
@@ -42,8 +42,13 @@ Scene make(const ParamValues& p) {
 ProceduralScene roseWindow() {
   return {{"window",
            "white light through a rose window onto a white wall (seed 000, section 5.3.2)",
-           {{.name = "resolution", .unit = "texels", .fallback = 1024, .low = 1024, .high = 4096,
-             .whole = true, .help = "width and height of the window's texture"},
+           {{.name = "resolution",
+             .unit = "texels",
+             .fallback = 1024,
+             .low = 1024,
+             .high = 4096,
+             .whole = true,
+             .help = "width and height of the window's texture"},
             sunRadiusParam()}},
           make};
 }

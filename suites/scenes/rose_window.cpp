@@ -35,12 +35,18 @@ class Point {
 
   Glass glass() {
     Glass found = kLead;
-    if (m_r < 0.17) found = heart();
-    else if (m_r < 0.40) found = petals();
-    else if (m_r < 0.44) found = beads();
-    else if (m_r < 0.79) found = lancets();
-    else if (m_r < 0.965) found = roundels();
-    else found = corners();
+    if (m_r < 0.17)
+      found = heart();
+    else if (m_r < 0.40)
+      found = petals();
+    else if (m_r < 0.44)
+      found = beads();
+    else if (m_r < 0.79)
+      found = lancets();
+    else if (m_r < 0.965)
+      found = roundels();
+    else
+      found = corners();
     for (const double ring : {0.17, 0.40, 0.44, 0.79, 0.965}) line(m_r - ring, kStone);
     return m_lead ? kLead : found;
   }
@@ -106,8 +112,7 @@ class Point {
     line(side, kBar);
     // The head is round: its centre sits where the circle touches both spokes.
     const double center = 0.64, head = center * std::sin(kPi / 16);
-    const double border =
-        m_r * std::cos(away) > center ? toMiddle(center, away) - head : side;
+    const double border = m_r * std::cos(away) > center ? toMiddle(center, away) - head : side;
     if (!line(border, kBar)) {
       line(m_r - 0.735, kFine);
       return m_r > 0.735 ? kViolet : kGold;

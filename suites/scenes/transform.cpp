@@ -13,8 +13,7 @@ namespace {
 std::vector<uint32_t> shuffledOrder(size_t count, Pcg& random) {
   std::vector<uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
-  for (size_t i = count; i > 1; --i)
-    std::swap(order[i - 1], order[random.below(uint32_t(i))]);
+  for (size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(uint32_t(i))]);
   return order;
 }
 

@@ -1,5 +1,5 @@
-// Changes of a scene that must not change its picture, or change it in a known way (spec 17, G1-G5):
-// for tests and for suites of hard cases.
+// Changes of a scene that must not change its picture, or change it in a known way (spec 17,
+// G1-G5): for tests and for suites of hard cases.
 #pragma once
 
 #include "techniques/common/scene.h"

@@ -7,11 +7,11 @@ namespace {
 
 // In the order of the enumeration.
 constexpr std::array<std::string_view, kEffectCount> kNames = {
-    "opaque-casters",        "perforated-casters",     "translucent-casters",
-    "coloured-transmission", "textured-transmission",  "translucent-receivers",
-    "translucent-overlap",   "area-lights",            "participating-media",
-    "multiple-lights",       "local-lights",           "camera-transparency",
-    "camera-layers",         "normal-maps",            "emission"};
+    "opaque-casters",        "perforated-casters",    "translucent-casters",
+    "coloured-transmission", "textured-transmission", "translucent-receivers",
+    "translucent-overlap",   "area-lights",           "participating-media",
+    "multiple-lights",       "local-lights",          "camera-transparency",
+    "camera-layers",         "normal-maps",           "emission"};
 
 }  // namespace
 

@@ -20,9 +20,9 @@ struct Range {
 
 // What base colour, transmission and thickness range over, everywhere the material is used.
 struct Inputs {
-  Range channels[4];       ///< r, g, b, a of the base colour
-  bool grey = true;        ///< r = g = b everywhere
-  bool varies = false;     ///< some base colour channel does
+  Range channels[4];    ///< r, g, b, a of the base colour
+  bool grey = true;     ///< r = g = b everywhere
+  bool varies = false;  ///< some base colour channel does
   Range transmission;
   Range thickness;
 };
@@ -108,8 +108,7 @@ MaterialTraits overriddenTraits(const Material& m) {
 MaterialTraits transmissiveTraits(const Material& m, const Inputs& in) {
   const bool masked = m.alphaMode == AlphaMode::Mask;
   const bool holes = masked && in.channels[3].low < m.alphaCutoff;
-  const float brightest =
-      std::max({in.channels[0].high, in.channels[1].high, in.channels[2].high});
+  const float brightest = std::max({in.channels[0].high, in.channels[1].high, in.channels[2].high});
   const bool transmits = in.transmission.high > 0 && brightest > 0;
   const bool attenuates = in.thickness.high > 0 && std::isfinite(m.attenuationDistance);
   MaterialTraits traits;
@@ -119,8 +118,7 @@ MaterialTraits transmissiveTraits(const Material& m, const Inputs& in) {
   traits.cameraTranslucent = in.transmission.high > 0;
   traits.textured = transmits && (in.varies || in.transmission.low != in.transmission.high ||
                                   (attenuates && in.thickness.low != in.thickness.high) || holes);
-  traits.coloured =
-      transmits && (!in.grey || (attenuates && !sameChannels(m.attenuationColor)));
+  traits.coloured = transmits && (!in.grey || (attenuates && !sameChannels(m.attenuationColor)));
   return traits;
 }
 
@@ -143,8 +141,7 @@ MaterialTraits materialTraits(const Scene& scene, const Material& m) {
     if (in.channels[3].low < m.alphaCutoff) traits.lightClass = MaterialClass::Perforated;
     return traits;
   }
-  const float brightest =
-      std::max({in.channels[0].high, in.channels[1].high, in.channels[2].high});
+  const float brightest = std::max({in.channels[0].high, in.channels[1].high, in.channels[2].high});
   const bool solid = in.channels[3].low >= 1 && brightest <= 0;
   traits.lightClass = solid ? MaterialClass::Opaque : MaterialClass::Translucent;
   traits.cameraTranslucent = in.channels[3].low < 1;
