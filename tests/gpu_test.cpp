@@ -27,6 +27,19 @@ std::unique_ptr<rhi::Backend> makeBackend(const std::string& name) {
   return opengl::makeBackend(opengl::ContextKind::OSMesa);
 }
 
+std::map<std::string, Opened>& openedDevices() {
+  static std::map<std::string, Opened> opened;
+  return opened;
+}
+
+/// Closes the devices while the drivers still live: Mesa's own exit handlers run before the
+/// destructors of static objects that are older than the driver.
+class CloseDevices : public testing::Environment {
+  void TearDown() override { openedDevices().clear(); }
+};
+const testing::Environment* const kCloseDevices =
+    testing::AddGlobalTestEnvironment(new CloseDevices);
+
 bool required(const std::string& backend) {
   const char* list = std::getenv("SHADOWBENCH_REQUIRE");
   return list && ("," + std::string(list) + ",").find("," + backend + ",") != std::string::npos;
@@ -40,8 +53,7 @@ const std::vector<std::string>& gpuBackends() {
 }
 
 rhi::Device* sharedDevice(const std::string& backend, std::string* why) {
-  static std::map<std::string, Opened> opened;
-  auto [it, first] = opened.try_emplace(backend);
+  auto [it, first] = openedDevices().try_emplace(backend);
   if (first) {
     try {
       it->second.device = makeBackend(backend)->open({.validate = true});

@@ -17,7 +17,8 @@ struct Optics {
 
 /// Optics of `material` where its base colour (factor x texture x vertex colour, linear) is
 /// `baseColor`, its transmission (factor x texture) `transmission` and its thickness (factor x
-/// texture, world units) `thickness`. Mirrored line for line by shaders/common/optics.glsl.
+/// texture, world units) `thickness`. Defined once, for C++ and shaders, in
+/// shaders/common/shared_optics.h.
 ///   OPAQUE                        alpha 1, t 0
 ///   MASK                          alpha 1 if a >= cutoff else 0, t 0
 ///   BLEND                         alpha a, t 0.5 x rgb (seed 000, section 4.2.1)

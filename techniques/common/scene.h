@@ -115,6 +115,7 @@ struct Light {
   /// Angular radius in radians (Directional) or radius in world units (Point, Spot); 0: hard
   /// shadows. extras.shadowbench {"radius": r}.
   double radius = 0;
+  uint32_t key = 0;  ///< persistent, unique; part of every random number
 };
 
 enum class MediumKind : uint8_t { Homogeneous, Smoke };

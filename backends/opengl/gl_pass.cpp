@@ -1,0 +1,99 @@
+// The part of CommandList that begins and ends passes: barriers, framebuffer, clears, resolves.
+#include <algorithm>
+
+#include "backends/opengl/gl_command_list.h"
+#include "backends/opengl/gl_debug.h"
+
+namespace opengl {
+
+void CommandList::doBeginPass(const rhi::PassDesc& desc) {
+  const Functions& gl = m_context.use();
+  pushGroup(gl, desc.label);
+  m_barriers.beginPass(desc);
+  m_resolves.clear();
+  m_discards.clear();
+  m_framebuffer = 0;
+  if (desc.compute) return;
+
+  const FramebufferKey key = m_framebuffers.key(desc);
+  m_framebuffer = m_framebuffers.get(key);
+  const bool depthReadOnly = desc.depth && desc.depth->readOnly;
+  m_state.beginPass(m_framebuffer, m_framebuffers.extent(key), depthReadOnly);
+  clear(m_framebuffer, desc);
+
+  for (size_t i = 0; i < desc.colors.size(); ++i) {
+    const rhi::ColorAttachment& color = desc.colors[i];
+    if (color.resolve) m_resolves.push_back({color.view, *color.resolve});
+    if (color.store == rhi::StoreOp::DontCare)
+      m_discards.push_back(GL_COLOR_ATTACHMENT0 + GLenum(i));
+  }
+  if (desc.depth && desc.depth->store == rhi::StoreOp::DontCare && !depthReadOnly) {
+    m_discards.push_back(GL_DEPTH_ATTACHMENT);
+    if (rhi::formatInfo(m_objects.textures.get(desc.depth->view.texture).desc().format).stencil)
+      m_discards.push_back(GL_STENCIL_ATTACHMENT);
+  }
+}
+
+void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
+  const Functions& gl = m_context.functions();
+  const bool any = (desc.depth && desc.depth->load == rhi::LoadOp::Clear) ||
+                   std::ranges::any_of(desc.colors, [](const rhi::ColorAttachment& c) {
+                     return c.load == rhi::LoadOp::Clear;
+                   });
+  if (any) m_state.openMasks();
+  for (size_t i = 0; i < desc.colors.size(); ++i) {
+    const rhi::ColorAttachment& color = desc.colors[i];
+    if (color.load != rhi::LoadOp::Clear) continue;
+    const auto& c = color.clear;
+    const rhi::Format format = m_objects.textures.get(color.view.texture).desc().format;
+    switch (rhi::formatInfo(format).kind) {
+      case rhi::FormatKind::Uint: {
+        const GLuint value[] = {GLuint(c[0]), GLuint(c[1]), GLuint(c[2]), GLuint(c[3])};
+        gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, GLint(i), value);
+        break;
+      }
+      case rhi::FormatKind::Sint: {
+        const GLint value[] = {GLint(c[0]), GLint(c[1]), GLint(c[2]), GLint(c[3])};
+        gl.ClearNamedFramebufferiv(framebuffer, GL_COLOR, GLint(i), value);
+        break;
+      }
+      default: gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), c.data());
+    }
+  }
+  if (!desc.depth || desc.depth->load != rhi::LoadOp::Clear) return;
+  const rhi::Format format = m_objects.textures.get(desc.depth->view.texture).desc().format;
+  if (rhi::formatInfo(format).stencil)
+    gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, desc.depth->clearDepth,
+                               GLint(desc.depth->clearStencil));
+  else
+    gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &desc.depth->clearDepth);
+}
+
+void CommandList::resolve(const Resolve& resolve) {
+  const Functions& gl = m_context.functions();
+  const AttachmentKey from = m_framebuffers.attachment(resolve.source);
+  const AttachmentKey to = m_framebuffers.attachment(resolve.target);
+  const rhi::Extent2D extent = m_objects.textures.get(resolve.source.texture).extent(from.mip);
+  const auto w = GLint(extent.width), h = GLint(extent.height);
+  // A blit reads and writes the first layer of a layered attachment only.
+  for (uint32_t layer = 0; layer < from.layerCount; ++layer) {
+    const FramebufferKey source{
+        .colors = {{from.texture, from.mip, from.baseLayer + layer, 1}}};
+    const FramebufferKey target{.colors = {{to.texture, to.mip, to.baseLayer + layer, 1}}};
+    gl.BlitNamedFramebuffer(m_framebuffers.get(source), m_framebuffers.get(target), 0, 0, w, h, 0,
+                            0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+}
+
+void CommandList::doEndPass() {
+  const Functions& gl = m_context.use();
+  if (!m_resolves.empty()) m_state.openMasks();
+  for (const Resolve& r : m_resolves) resolve(r);
+  if (!m_discards.empty())
+    gl.InvalidateNamedFramebufferData(m_framebuffer, GLsizei(m_discards.size()),
+                                      m_discards.data());
+  m_barriers.endPass();
+  popGroup(gl);
+}
+
+}  // namespace opengl

@@ -1,0 +1,20 @@
+# cmake -DBENCH=... -DOUT=... -DVERSION=... -P bundle.cmake
+# Copies the program and every shared library it needs into OUT, except glibc (2.36 or newer is
+# expected) and the GPU's drivers and loaders, which belong to the machine; then packs OUT.tar.gz.
+file(REMOVE_RECURSE ${OUT})
+file(MAKE_DIRECTORY ${OUT}/lib)
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${BENCH}
+  RESOLVED_DEPENDENCIES_VAR libraries UNRESOLVED_DEPENDENCIES_VAR missing
+  PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|vulkan|EGL|GL|OSMesa)\\.so")
+if(missing)
+  message(FATAL_ERROR "libraries not found: ${missing}")
+endif()
+file(COPY ${BENCH} DESTINATION ${OUT})
+foreach(library ${libraries})
+  file(COPY ${library} DESTINATION ${OUT}/lib FOLLOW_SYMLINK_CHAIN)
+endforeach()
+get_filename_component(parent ${OUT} DIRECTORY)
+get_filename_component(name ${OUT} NAME)
+execute_process(COMMAND ${CMAKE_COMMAND} -E tar czf ${OUT}.tar.gz ${name}
+  WORKING_DIRECTORY ${parent} COMMAND_ERROR_IS_FATAL ANY)
+message(STATUS "bundle: ${OUT}.tar.gz")

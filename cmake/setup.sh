@@ -1,0 +1,61 @@
+# Sourced by ./bench and ./test: everything from a fresh Debian 12 to a built program.
+# setup_packages installs what is missing, setup_build configures and builds.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build="$root/build"
+
+packages=(
+  cmake g++ ninja-build pkg-config ccache
+  glslang-dev glslang-tools libspirv-cross-c-shared-dev spirv-headers spirv-tools
+  libvulkan-dev libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers vulkan-validationlayers
+  libegl-dev libegl1 libegl-mesa0 libgl-dev libgl1-mesa-dri libosmesa6
+  libbenchmark-dev libbenchmark-tools libcli11-dev libfmt-dev libglm-dev libgtest-dev
+  libstb-dev libtinyexr-dev libtinygltf-dev nlohmann-json3-dev
+  python3 python3-scipy
+)
+
+say() { printf '%s\n' "$*" >&2; }
+
+setup_packages() { # $1: yes or no, may install
+  local stamp="$build/.packages-ok" want
+  want=$(printf '%s\n' "${packages[@]}")
+  [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$want" ] && return 0
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    say "This is no Debian system. ShadowBench needs what these Debian 12 packages hold:"
+    printf '  %s\n' "${packages[@]}" >&2
+    return 0
+  fi
+  local missing=() p
+  for p in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2>/dev/null)" = installed ] || missing+=("$p")
+  done
+  if [ ${#missing[@]} -gt 0 ]; then
+    if [ "$1" = no ]; then
+      say "Missing Debian packages (apt-get install ${missing[*]}):"
+      printf '  %s\n' "${missing[@]}" >&2
+      return 2
+    fi
+    local sudo=()
+    if [ "$(id -u)" != 0 ]; then
+      command -v sudo >/dev/null || { say "Not root and no sudo. Missing packages: ${missing[*]}"; return 2; }
+      sudo=(sudo)
+    fi
+    say "Installing ${missing[*]}"
+    "${sudo[@]}" apt-get update -qq >&2 &&
+      "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+        "${missing[@]}" >&2 || { say "apt-get failed; missing packages: ${missing[*]}"; return 2; }
+  fi
+  mkdir -p "$build" && printf '%s\n' "$want" >"$stamp"
+}
+
+setup_build() { # arguments: targets
+  local werror=OFF log="$build/configure.log"
+  [ "${CI:-}" = true ] && werror=ON
+  mkdir -p "$build"
+  if [ ! -f "$build/build.ninja" ]; then
+    say "Configuring"
+    (cd "$root" && cmake --preset release -DSHADOWBENCH_WERROR=$werror) >"$log" 2>&1 ||
+      { cat "$log" >&2; return 1; }
+  fi
+  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then say "Building"; fi
+  ninja -C "$build" "$@" >"$build/build.log" 2>&1 || { cat "$build/build.log" >&2; return 1; }
+}

@@ -1,0 +1,127 @@
+#include "reports/csv.h"
+
+#include <cstdio>
+#include <functional>
+
+namespace report {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string out;
+  for (const std::string& p : parts) out += (out.empty() ? "" : ";") + p;
+  return out;
+}
+
+struct Column {
+  std::string name;
+  std::function<std::string(const Record&)> value;
+};
+
+template <class T>
+std::string optionalNumber(const std::optional<T>& value) {
+  return value ? number(double(*value)) : "";
+}
+
+void addDistribution(std::vector<Column>& columns, const std::string& name,
+                     std::optional<Distribution> Record::*member) {
+  auto add = [&](const char* part, auto pick) {
+    columns.push_back({name + "_" + part, [member, pick](const Record& r) {
+                         return r.*member ? number(double(pick(*(r.*member)))) : std::string();
+                       }});
+  };
+  add("median", [](const Distribution& d) { return d.median; });
+  add("q1", [](const Distribution& d) { return d.q1; });
+  add("q3", [](const Distribution& d) { return d.q3; });
+  add("cv", [](const Distribution& d) { return d.cv; });
+  add("n", [](const Distribution& d) { return d.n; });
+}
+
+std::string knobText(const Record& r) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : r.knobs) parts.push_back(name + ":" + value);
+  return joined(parts);
+}
+
+std::string skippedText(const Record& r) {
+  std::vector<std::string> parts;
+  for (const auto& [effect, why] : r.effectsSkipped) parts.push_back(effect);
+  return joined(parts);
+}
+
+std::vector<Column> makeColumns() {
+  std::vector<Column> c;
+  auto add = [&](const char* name, auto value) { c.push_back({name, value}); };
+  add("name", [](const Record& r) { return r.name; });
+  add("technique", [](const Record& r) { return r.technique; });
+  add("transparency", [](const Record& r) { return r.transparency; });
+  add("backend", [](const Record& r) { return r.backend; });
+  add("device", [](const Record& r) { return r.device; });
+  add("device_type", [](const Record& r) { return r.deviceType; });
+  add("driver", [](const Record& r) { return r.driver; });
+  add("scene", [](const Record& r) { return r.scene; });
+  add("scene_hash", [](const Record& r) { return r.sceneHash; });
+  add("width", [](const Record& r) { return number(r.width); });
+  add("height", [](const Record& r) { return number(r.height); });
+  add("knobs", knobText);
+  add("seed", [](const Record& r) { return number(r.seed); });
+  add("version", [](const Record& r) { return r.version; });
+  add("effects_planned", [](const Record& r) { return joined(r.effectsPlanned); });
+  add("effects_skipped", skippedText);
+  add("effects_unrepresented", [](const Record& r) { return joined(r.effectsUnrepresented); });
+  add("time_source", [](const Record& r) { return r.timeSource; });
+  addDistribution(c, "frame_ms", &Record::frame);
+  addDistribution(c, "wall_ms", &Record::wall);
+  addDistribution(c, "cpu_ms", &Record::cpu);
+  addDistribution(c, "record_ms", &Record::record);
+  addDistribution(c, "device_ms", &Record::device_);
+  add("submit_ms", [](const Record& r) { return optionalNumber(r.submitMs); });
+  add("compile_ms", [](const Record& r) { return optionalNumber(r.compileMs); });
+  add("shadow_ms", [](const Record& r) { return optionalNumber(r.shadowMs); });
+  add("scene_ms", [](const Record& r) { return optionalNumber(r.sceneMs); });
+  add("combined_ms", [](const Record& r) { return optionalNumber(r.combinedMs); });
+  add("stamped_frame_ms", [](const Record& r) { return optionalNumber(r.stampedFrameMs); });
+  add("pass_count", [](const Record& r) { return std::to_string(r.passCount); });
+  add("draw_count", [](const Record& r) { return std::to_string(r.drawCount); });
+  add("triangle_count", [](const Record& r) { return std::to_string(r.triangleCount); });
+  add("bytes", [](const Record& r) { return std::to_string(r.bytes); });
+  add("nonfinite", [](const Record& r) { return optionalNumber(r.nonfinite); });
+  add("stable", [](const Record& r) {
+    return std::string(!r.stable ? "" : *r.stable ? "true" : "false");
+  });
+  add("cross_backend_max_255", [](const Record& r) { return optionalNumber(r.crossBackendMax255); });
+  add("picture", [](const Record& r) { return r.picture; });
+  add("status", [](const Record& r) { return std::string(statusName(r.status)); });
+  add("reason", [](const Record& r) { return r.reason; });
+  add("warnings", [](const Record& r) { return joined(r.warnings); });
+  add("command", [](const Record& r) { return r.command; });
+  return c;
+}
+
+}  // namespace
+
+std::string toCsv(const Run& run) {
+  static const std::vector<Column> columns = makeColumns();
+  std::string out;
+  for (size_t i = 0; i < columns.size(); ++i) out += (i ? "," : "") + columns[i].name;
+  out += "\n";
+  for (const Record& r : run.records) {
+    for (size_t i = 0; i < columns.size(); ++i) out += (i ? "," : "") + quoted(columns[i].value(r));
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace report

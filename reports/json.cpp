@@ -1,0 +1,163 @@
+#include "reports/json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// null for what is absent or not finite; `<key>_why` beside it when a reason is known.
+template <class T>
+void put(Json& out, const Record& r, const std::string& key, const std::optional<T>& value) {
+  out[key] = value ? Json(*value) : Json(nullptr);
+  if (auto why = r.why.find(key); !value && why != r.why.end()) out[key + "_why"] = why->second;
+}
+
+void put(Json& out, const Record& r, const std::string& key,
+         const std::optional<Distribution>& value) {
+  if (!value) return put(out, r, key, std::optional<double>());
+  out[key] = {{"median", value->median},
+              {"q1", value->q1},
+              {"q3", value->q3},
+              {"cv", value->cv},
+              {"n", value->n}};
+}
+
+void putIdentity(Json& out, const Record& r) {
+  out["technique"] = r.technique;
+  out["transparency"] = r.transparency;
+  out["backend"] = r.backend;
+  out["device"] = r.device;
+  out["device_type"] = r.deviceType;
+  out["driver"] = r.driver;
+  out["scene"] = r.scene;
+  out["scene_hash"] = r.sceneHash;
+  out["width"] = r.width;
+  out["height"] = r.height;
+  out["knobs"] = r.knobs;
+  out["seed"] = r.seed;
+  out["version"] = r.version;
+}
+
+void putPlan(Json& out, const Record& r) {
+  out["effects_planned"] = r.effectsPlanned;
+  out["effects_skipped"] = Json::array();
+  for (const auto& [effect, why] : r.effectsSkipped)
+    out["effects_skipped"].push_back({{"effect", effect}, {"why", why}});
+  out["effects_unrepresented"] = r.effectsUnrepresented;
+}
+
+void putTimes(Json& out, const Record& r) {
+  out["time_source"] = r.timeSource;
+  put(out, r, "frame_ms", r.frame);
+  put(out, r, "wall_ms", r.wall);
+  put(out, r, "cpu_ms", r.cpu);
+  put(out, r, "record_ms", r.record);
+  put(out, r, "device_ms", r.device_);
+  put(out, r, "submit_ms", r.submitMs);
+  put(out, r, "compile_ms", r.compileMs);
+  out["passes"] = Json::array();
+  for (const PassRecord& p : r.passes) {
+    Json pass = {{"label", p.label}, {"ms", p.ms}, {"share", p.share}, {"draws", p.draws},
+                 {"triangles", p.triangles}};
+    pass["fragments"] = p.fragments ? Json(*p.fragments) : Json(nullptr);
+    out["passes"].push_back(std::move(pass));
+  }
+  put(out, r, "shadow_ms", r.shadowMs);
+  put(out, r, "scene_ms", r.sceneMs);
+  put(out, r, "combined_ms", r.combinedMs);
+  put(out, r, "stamped_frame_ms", r.stampedFrameMs);
+  out["ratios"] = Json::array();
+  for (const Ratio& x : r.ratios)
+    out["ratios"].push_back({{"against", x.against}, {"of", x.of}, {"ratio", x.value},
+                             {"low", x.low}, {"high", x.high}, {"n", x.n}});
+}
+
+void putResults(Json& out, const Record& r) {
+  out["pass_count"] = r.passCount;
+  out["draw_count"] = r.drawCount;
+  out["triangle_count"] = r.triangleCount;
+  out["bytes"] = r.bytes;
+  out["bytes_by_label"] = r.bytesByLabel;
+  for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
+    put(out, r, key, std::optional<double>());
+  put(out, r, "nonfinite", r.nonfinite);
+  put(out, r, "stable", r.stable);
+  put(out, r, "cross_backend_max_255", r.crossBackendMax255);
+  out["picture"] = r.picture;
+}
+
+void putOutcome(Json& out, const Record& r) {
+  out["status"] = statusName(r.status);
+  out["reason"] = r.reason;
+  out["warnings"] = r.warnings;
+  out["command"] = r.command;
+}
+
+Json googleKeys(const Record& r, const std::string& suffix, const char* runType) {
+  return {{"name", r.name + suffix},
+          {"run_name", r.name},
+          {"run_type", runType},
+          {"repetitions", r.blocks.size()},
+          {"threads", 1}};
+}
+
+void appendCell(Json& list, const Record& r) {
+  if (r.status != Status::Ok) {
+    Json entry = googleKeys(r, "", "iteration");
+    entry["error_occurred"] = true;
+    entry["error_message"] = std::string(statusName(r.status)) + ": " + r.reason;
+    putIdentity(entry, r);
+    putPlan(entry, r);
+    putOutcome(entry, r);
+    list.push_back(std::move(entry));
+    return;
+  }
+  uint64_t frames = 0;
+  for (size_t i = 0; i < r.blocks.size(); ++i) {
+    Json entry = googleKeys(r, "", "iteration");
+    entry["repetition_index"] = i;
+    entry["iterations"] = r.blocks[i].frames;
+    entry["real_time"] = r.blocks[i].frameMs;
+    entry["cpu_time"] = r.blocks[i].cpuMs;
+    entry["time_unit"] = "ms";
+    frames += r.blocks[i].frames;
+    list.push_back(std::move(entry));
+  }
+  Json entry = googleKeys(r, "_median", "aggregate");
+  entry["aggregate_name"] = "median";
+  entry["aggregate_unit"] = "time";
+  entry["iterations"] = frames;
+  entry["real_time"] = r.frame ? r.frame->median : 0;
+  entry["cpu_time"] = r.cpu ? r.cpu->median : 0;
+  entry["time_unit"] = "ms";
+  putIdentity(entry, r);
+  putPlan(entry, r);
+  putTimes(entry, r);
+  putResults(entry, r);
+  putOutcome(entry, r);
+  list.push_back(std::move(entry));
+}
+
+}  // namespace
+
+std::string toJson(const Run& run) {
+  Json context = {{"date", run.date},
+                  {"host_name", run.host},
+                  {"executable", run.executable},
+                  {"num_cpus", run.cpus},
+                  {"mhz_per_cpu", std::lround(run.cpuMHz)},
+                  {"cpu_scaling_enabled", false},
+                  {"caches", Json::array()},
+                  {"load_avg", run.loadAverage},
+                  {"library_build_type", run.buildType},
+                  {"shadowbench_version", run.version},
+                  {"warnings", run.warnings}};
+  Json benchmarks = Json::array();
+  for (const Record& r : run.records) appendCell(benchmarks, r);
+  return Json{{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}}.dump(2) + "\n";
+}
+
+}  // namespace report

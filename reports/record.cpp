@@ -1,0 +1,46 @@
+#include "reports/record.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string_view>
+#include <thread>
+
+namespace report {
+
+std::string_view statusName(Status status) {
+  static constexpr std::string_view kNames[] = {"ok", "skipped", "failed"};
+  return kNames[size_t(status)];
+}
+
+Run describeMachine(const std::string& executable, const std::string& version) {
+  Run run;
+  char text[256] = "";
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", &local);
+  run.date = text;
+  if (gethostname(text, sizeof text) == 0) run.host = text;
+  run.executable = executable;
+  run.version = version;
+#ifdef NDEBUG
+  run.buildType = "release";
+#else
+  run.buildType = "debug";
+#endif
+  run.cpus = std::thread::hardware_concurrency();
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("cpu MHz")) {
+      run.cpuMHz = std::strtod(line.c_str() + line.find(':') + 1, nullptr);
+      break;
+    }
+  double load[3];
+  if (getloadavg(load, 3) == 3) run.loadAverage.assign(load, load + 3);
+  return run;
+}
+
+}  // namespace report

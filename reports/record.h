@@ -1,0 +1,112 @@
+// One measured cell as plain data: what every report is written from, and all that needs to be kept
+// of a run (design, section 7). Times in milliseconds, memory in bytes. Absent values are empty
+// optionals; `why` says, by JSON key, why a value that users would look for is absent.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace report {
+
+/// Spread of a sampled quantity.
+struct Distribution {
+  double median = 0;
+  double q1 = 0;
+  double q3 = 0;
+  double cv = 0;  ///< standard deviation / mean
+  uint32_t n = 0;
+};
+
+struct PassRecord {
+  std::string label;
+  double ms = 0;     ///< median over stamped frames
+  double share = 0;  ///< of the stamped frame
+  uint64_t draws = 0;
+  uint64_t triangles = 0;
+  std::optional<uint64_t> fragments;
+};
+
+/// This cell's time over another's, pairwise over interleaved blocks.
+struct Ratio {
+  std::string against;  ///< name of the other cell
+  std::string of;       ///< which time: "cpu_ms", "frame_ms"
+  double value = 1;     ///< median of the ratios
+  double low = 1;       ///< 95 % bootstrap interval
+  double high = 1;
+  uint32_t n = 0;
+};
+
+/// One repetition: a block of consecutive frames between blocks of other cells.
+struct Block {
+  uint32_t frames = 0;
+  double frameMs = 0;  ///< mean per frame
+  double cpuMs = 0;    ///< mean per frame, process CPU time of all threads
+};
+
+enum class Status : uint8_t { Ok, Skipped, Failed };
+
+struct Record {
+  // identity
+  std::string name;
+  std::string technique, transparency, backend, device, deviceType, driver, scene, sceneHash;
+  uint32_t width = 0;
+  uint32_t height = 0;
+  std::map<std::string, std::string> knobs;
+  uint32_t seed = 0;
+  std::string version;
+  // plan
+  std::vector<std::string> effectsPlanned;
+  std::vector<std::pair<std::string, std::string>> effectsSkipped;  ///< effect, why
+  std::vector<std::string> effectsUnrepresented;
+  // time
+  std::string timeSource;  ///< "gpu-timestamp" or "software"
+  std::optional<Distribution> frame, wall, cpu, record, device_;
+  std::optional<double> submitMs;
+  std::optional<double> compileMs;
+  std::vector<PassRecord> passes;
+  std::optional<double> shadowMs, sceneMs, combinedMs, stampedFrameMs;
+  std::vector<Ratio> ratios;
+  std::vector<Block> blocks;
+  // counts
+  uint64_t passCount = 0;
+  uint64_t drawCount = 0;
+  uint64_t triangleCount = 0;
+  uint64_t bytes = 0;
+  std::map<std::string, uint64_t> bytesByLabel;
+  // verified
+  std::optional<bool> stable;              ///< the timed run's picture equals the untimed one
+  std::optional<int> crossBackendMax255;   ///< largest difference to the other backend, in 1/255
+  std::optional<uint64_t> nonfinite;       ///< values of the picture that are not finite
+  std::string picture;                     ///< content hash of the picture
+  // outcome
+  Status status = Status::Ok;
+  std::string reason;
+  std::vector<std::string> warnings;
+  std::string command;  ///< reproduces this cell
+  std::map<std::string, std::string> why;
+};
+
+std::string_view statusName(Status status);
+
+/// A whole run: where and with what it was made, and its cells.
+struct Run {
+  std::string date;        ///< ISO 8601
+  std::string host;
+  std::string executable;
+  std::string version;
+  std::string buildType;   ///< "release" or "debug"
+  uint32_t cpus = 0;
+  double cpuMHz = 0;
+  std::vector<double> loadAverage;
+  std::vector<std::string> warnings;  ///< of the run as a whole
+  std::vector<Record> records;
+};
+
+/// Fills everything but `records` and `warnings` from this machine.
+Run describeMachine(const std::string& executable, const std::string& version);
+
+}  // namespace report

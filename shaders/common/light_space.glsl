@@ -1,0 +1,107 @@
+// Where a receiver lies in a light's map, and how deep a lit surface may lie at other texels of the
+// filter: the receiver's own plane, carried into light space (spec 01, receiver-plane bias). The
+// plane comes from the geometric normal, not from screen derivatives: exact at edges and for both
+// kinds of projection, since window depth is linear over the map on a plane.
+layout(constant_id = 16) const uint kBias = 0u;     // BIAS_*
+layout(constant_id = 17) const uint kKernel = 1u;   // odd width of the filter, texels
+layout(constant_id = 18) const bool kTent = false;  // tent instead of box weights
+
+#define BIAS_PLANE 0u
+#define BIAS_SLOPE 1u
+#define BIAS_NORMAL 2u
+#define BIAS_CONSTANT 3u
+// Steepest slope that is biased for: acne-free up to atan(10) = 84.3 degrees (spec 17, G11).
+#define BIAS_TAN_MAX 10.0
+// Of a constant bias, in texels at 45 degrees.
+#define BIAS_CONSTANT_TEXELS 1.5
+
+struct LightSample {
+  bool inside;    // in the map's volume: else the receiver is lit
+  vec3 uvz;       // map coordinates and depth, 0..1
+  vec2 gradient;  // change of depth per unit of u and v along the receiver's plane
+  float bias;     // subtracted from the depth before a comparison
+  float texel;    // 1 / map size
+  float layer;
+};
+
+// Face of a point light that looks at `d`: +x -x +y -y +z -z (techniques/common/light_views.cpp).
+uint cubeFace(vec3 d) {
+  vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0u : 1u;
+  if (a.y >= a.z) return d.y >= 0.0 ? 2u : 3u;
+  return d.z >= 0.0 ? 4u : 5u;
+}
+
+LightSample lightSample(uint light, Receiver r) {
+  LightSample s;
+  s.inside = false;
+  LightData l = lights[light];
+  if (l.ids.y == NO_SHADOW) return s;
+  uint index = l.ids.y;
+  if (l.ids.x == LIGHT_POINT) index += cubeFace(r.position - l.positionRange.xyz);
+  ShadowViewData view = shadowViews[index];
+  if (view.origin.w < 0.0) return s;
+
+  precise vec3 p = r.position - view.origin.xyz;
+  vec3 toLight = l.ids.x == LIGHT_DIRECTIONAL ? -l.directionScale.xyz : normalize(-p);
+  float cosine = clamp(abs(dot(r.normal, toLight)), 1e-6, 1.0);
+  float tangent = sqrt(1.0 - cosine * cosine) / cosine;
+  float radius = 0.5 * float(kKernel + 1u);  // texels the filter reaches, bilinear taps included
+  if (kBias == BIAS_NORMAL) {
+    float texelWorld = view.texel.z * (view.texel.w > 0.0 ? abs(toClip(view.toClip, p).w) : 1.0);
+    p += r.normal * (1.5 * radius * texelWorld * sqrt(1.0 - cosine * cosine));
+  }
+  vec4 clip = toClip(view.toClip, p);
+  if (clip.w <= 0.0) return s;
+  precise vec3 ndc = clip.xyz / clip.w;
+  s.uvz = vec3(ndc.xy * 0.5 + 0.5, ndc.z);
+  s.inside = all(greaterThanEqual(s.uvz, vec3(0))) && all(lessThanEqual(s.uvz, vec3(1)));
+
+  vec4 plane = view.planeToClip * vec4(r.normal, -dot(r.normal, p));
+  vec2 gradient = abs(plane.z) > 0.0 ? -2.0 * plane.xy / plane.z : vec2(0);
+  if (tangent > BIAS_TAN_MAX) gradient *= BIAS_TAN_MAX / tangent;
+  s.texel = view.texel.x;
+  s.layer = view.origin.w;
+  float slope = (abs(gradient.x) + abs(gradient.y)) * s.texel;
+  // Quantisation of the map, rounding of the projection, and the 1/256-texel grid that rasterisers
+  // snap vertices to.
+  s.bias = 2.0 * view.texel.y + 4.8e-7 + slope * (1.0 / 64.0);
+  s.gradient = vec2(0);
+  if (kBias == BIAS_PLANE) s.gradient = gradient;
+  if (kBias == BIAS_SLOPE) s.bias += slope * radius;
+  if (kBias == BIAS_CONSTANT) {
+    // Slope of a plane at 45 degrees: the same for every receiver.
+    float unit = tangent > 0.0 ? slope / tangent : 0.0;
+    s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
+  }
+  return s;
+}
+
+float kernelWeight(int x, int y) {
+  int h = int(kKernel) / 2;
+  return kTent ? float((h + 1 - abs(x)) * (h + 1 - abs(y))) : 1.0;
+}
+
+// Depth that a lit receiver may have at the centre of a texel.
+float tapDepth(LightSample s, ivec2 texel) {
+  precise vec2 offset = (vec2(texel) + 0.5) * s.texel - s.uvz.xy;
+  precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) - s.bias;
+  return depth;
+}
+
+// N x N point comparisons against a depth map; outside the map is lit.
+float filterDepth(sampler2DArray map, LightSample s) {
+  int size = textureSize(map, 0).x;
+  ivec2 centre = ivec2(floor(s.uvz.xy * float(size)));
+  int h = int(kKernel) / 2;
+  float lit = 0.0, total = 0.0;
+  for (int y = -h; y <= h; ++y)
+    for (int x = -h; x <= h; ++x) {
+      ivec2 texel = centre + ivec2(x, y);
+      bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
+      float w = kernelWeight(x, y);
+      total += w;
+      if (outside || tapDepth(s, texel) <= texelFetch(map, ivec3(texel, int(s.layer)), 0).r) lit += w;
+    }
+  return lit / total;
+}

@@ -1,0 +1,14 @@
+// A receiver (decision D6): the point that asks for light, complete enough for every technique.
+#define RECEIVER_SURFACE 0u
+#define RECEIVER_MEDIUM 1u
+
+struct Receiver {
+  vec3 position;  // camera-relative
+  vec3 normal;    // geometric, unit, toward the viewer; 0 in a medium
+  vec3 dpdx;      // change of position to the next pixel, taken before any branch
+  vec3 dpdy;
+  uint mesh;      // persistent mesh key
+  uint key;       // persistent surface key: mesh, instance and triangle
+  uvec2 pixel;
+  uint kind;
+};

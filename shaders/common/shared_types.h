@@ -1,0 +1,116 @@
+// Structures that C++ fills and GLSL reads, written once. Only 16-byte members, so that std140,
+// std430 and C++ agree; every offset is asserted below.
+#ifndef SHADOWBENCH_SHARED_TYPES_H
+#define SHADOWBENCH_SHARED_TYPES_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace sb::gpu {
+using vec4 = glm::vec4;
+using mat4 = glm::mat4;
+using uvec4 = glm::uvec4;
+using uint = uint32_t;
+#endif
+
+// Per draw, in a uniform buffer with a dynamic offset.
+struct DrawData {
+  uvec4 ids;  // x: instance, y: base into the triangle order, zw: unused
+};
+
+// Per frame.
+struct FrameData {
+  mat4 viewProjection;  // camera-relative world -> clip
+  vec4 ambient;         // rgb
+  uvec4 counts;         // x: lights, y: width, z: height, w: seed
+};
+
+// A placed mesh.
+struct InstanceData {
+  vec4 toRelative0;  // rows of mesh space -> camera-relative world
+  vec4 toRelative1;
+  vec4 toRelative2;
+  vec4 normal0;  // rows of the cofactor matrix (geometric normals); w of row 0: sign of det
+  vec4 normal1;
+  vec4 normal2;
+  uvec4 ids;  // x: material, y: instance key, z: first triangle, w: mesh key
+};
+
+// A triangle of a mesh: unnormalised geometric normal in mesh space, persistent key as bits.
+struct TriangleData {
+  vec4 normalKey;
+};
+
+// Indices of a material's textures.
+#define TEXTURE_BASE_COLOR 0
+#define TEXTURE_METALLIC_ROUGHNESS 1
+#define TEXTURE_NORMAL 2
+#define TEXTURE_OCCLUSION 3
+#define TEXTURE_EMISSIVE 4
+#define TEXTURE_TRANSMISSION 5
+#define TEXTURE_THICKNESS 6
+#define MATERIAL_TEXTURES 7
+
+// Bits of MaterialData::flags.x
+#define MATERIAL_MASK 1u
+#define MATERIAL_BLEND 2u
+#define MATERIAL_DOUBLE_SIDED 4u
+#define MATERIAL_UNLIT 8u
+#define MATERIAL_TRANSMISSION 16u
+#define MATERIAL_OVERRIDE 32u
+
+struct MaterialData {
+  vec4 baseColor;
+  vec4 emissiveCutoff;   // rgb, alpha cutoff
+  vec4 surface;          // metallic, roughness, normal scale, occlusion strength
+  vec4 transmission;     // factor, thickness, 1 / attenuation distance, -
+  vec4 attenuation;      // rgb
+  vec4 overrideOptics;   // t rgb, alpha
+  uvec4 flags;           // bits, bit i: texture i present, bit i: texture i uses uv1, -
+  vec4 uvRows[14];       // two rows of the uv transform of each texture
+};
+
+#define LIGHT_DIRECTIONAL 0u
+#define LIGHT_POINT 1u
+#define LIGHT_SPOT 2u
+#define NO_SHADOW 0xFFFFFFFFu
+
+struct LightData {
+  vec4 positionRange;   // camera-relative position, 1 / range (0: unlimited)
+  vec4 directionScale;  // unit, the way light travels; w: spot angle scale
+  vec4 colorOffset;     // intensity x colour; w: spot angle offset
+  uvec4 ids;            // x: type, y: first shadow view or NO_SHADOW, z: number of views, w: scene index
+};
+
+// A projection of a light onto a layer of a shadow map.
+struct ShadowViewData {
+  mat4 toClip;       // (camera-relative position - origin) -> light clip, depth 0..1
+  mat4 planeToClip;  // inverse transpose of toClip: takes planes to light clip
+  vec4 origin;       // camera-relative; w: layer
+  vec4 texel;        // x: 1 / size, y: depth step of the format, z: texel width at distance 1
+                     // (perspective) or anywhere (orthographic), w: 1 if perspective
+  uvec4 ids;         // x: persistent key of light and face, part of every random number
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(DrawData) == 16);
+static_assert(offsetof(FrameData, ambient) == 64 && offsetof(FrameData, counts) == 80 &&
+              sizeof(FrameData) == 96);
+static_assert(offsetof(InstanceData, normal0) == 48 && offsetof(InstanceData, ids) == 96 &&
+              sizeof(InstanceData) == 112);
+static_assert(sizeof(TriangleData) == 16);
+static_assert(offsetof(MaterialData, emissiveCutoff) == 16 && offsetof(MaterialData, surface) == 32 &&
+              offsetof(MaterialData, transmission) == 48 &&
+              offsetof(MaterialData, attenuation) == 64 &&
+              offsetof(MaterialData, overrideOptics) == 80 && offsetof(MaterialData, flags) == 96 &&
+              offsetof(MaterialData, uvRows) == 112 && sizeof(MaterialData) == 336);
+static_assert(offsetof(LightData, directionScale) == 16 && offsetof(LightData, colorOffset) == 32 &&
+              offsetof(LightData, ids) == 48 && sizeof(LightData) == 64);
+static_assert(offsetof(ShadowViewData, planeToClip) == 64 && offsetof(ShadowViewData, origin) == 128 &&
+              offsetof(ShadowViewData, texel) == 144 && offsetof(ShadowViewData, ids) == 160 &&
+              sizeof(ShadowViewData) == 176);
+}  // namespace sb::gpu
+#endif
+
+#endif

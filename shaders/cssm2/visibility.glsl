@@ -1,0 +1,31 @@
+// Coloured stochastic shadow map (spec 04): three depths a texel, three comparisons a fetch. The
+// opaque depth is in every channel; without translucent casters the channels do not exist and the
+// depth map itself is read (decision D3).
+#include "common/light_space.glsl"
+layout(constant_id = 19) const bool kColoured = true;
+layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_depthMap;
+layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2DArray t_colourMap;
+
+vec3 filterColour(LightSample s) {
+  int size = textureSize(t_colourMap, 0).x;
+  ivec2 centre = ivec2(floor(s.uvz.xy * float(size)));
+  int h = int(kKernel) / 2;
+  vec3 lit = vec3(0);
+  float total = 0.0;
+  for (int y = -h; y <= h; ++y)
+    for (int x = -h; x <= h; ++x) {
+      ivec2 texel = centre + ivec2(x, y);
+      bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
+      float w = kernelWeight(x, y);
+      total += w;
+      vec3 depths = outside ? vec3(2) : texelFetch(t_colourMap, ivec3(texel, int(s.layer)), 0).rgb;
+      lit += w * vec3(lessThanEqual(vec3(tapDepth(s, texel)), depths));
+    }
+  return lit / total;
+}
+
+vec3 lightVisibility(uint light, Receiver r) {
+  LightSample s = lightSample(light, r);
+  if (!s.inside) return vec3(1);
+  return kColoured ? filterColour(s) : vec3(filterDepth(t_depthMap, s));
+}

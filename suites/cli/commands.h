@@ -1,0 +1,30 @@
+// The commands of the program. Each returns the exit code.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "backends/rhi/device.h"
+#include "suites/cli/options.h"
+#include "suites/harness/devices.h"
+
+namespace sb {
+
+int measureCommand(const Options& options);
+int renderCommand(const Options& options);
+int sceneCommand(const Options& options);
+int doctorCommand(const Options& options);
+
+/// Backends and shaders that commands share.
+struct Platform {
+  std::vector<std::unique_ptr<rhi::Backend>> owned;
+  rhi::ShaderLibrary shaders;
+  std::vector<rhi::Backend*> backends() const;
+  std::vector<std::string> names() const;
+};
+Platform makePlatform(const Options& options);
+
+/// Backends that a run uses when none is named: "vulkan" and the OpenGL that --gl chose.
+std::vector<std::string> defaultBackends(const Options& options);
+
+}  // namespace sb

@@ -1,0 +1,164 @@
+#include "suites/cli/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "suites/scenes/procedural.h"
+#include "techniques/common/error.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+namespace {
+
+std::string rangeText(const KnobInfo& k) {
+  if (k.choices.empty()) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%g..%g%s%s", k.min, k.max, k.odd ? ", odd" : "",
+                  k.unit.empty() ? "" : (" " + k.unit).c_str());
+    return text;
+  }
+  std::string out;
+  for (const std::string& c : k.choices) out += (out.empty() ? "" : "|") + c;
+  return out;
+}
+
+void describe(std::string& out, const TechniqueInfo& info) {
+  out += "  " + info.name + ": " + info.title + " (" + info.paper + ")\n";
+  for (const KnobInfo& k : info.knobs)
+    out += "      " + k.name + "=" + rangeText(k) + "  [" + k.fallback + "]  " + k.help + "\n";
+}
+
+std::string footer() {
+  std::string out = "Techniques and their knobs (--set knob=value[,value...]):\n";
+  for (const auto* t : shadowTechniques()) describe(out, t->info);
+  out += "Camera transparency (--technique NAME+TRANSPARENCY):\n";
+  for (const auto* t : transparencyTechniques()) describe(out, t->info);
+  out += "Scenes (--scene NAME:param=value,... or a .gltf or .glb file):\n";
+  for (const SceneInfo& s : proceduralScenes()) {
+    out += "  " + s.name + ": " + s.help + "\n";
+    for (const SceneParam& p : s.params)
+      out += "      " + p.name + "  [" + p.fallbackText() + "]  " + p.help + "\n";
+  }
+  out +=
+      "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at its\n"
+      "default is left out. --filter matches anywhere in the name.\n"
+      "Google Benchmark's own --benchmark_* flags work too.\n"
+      "Exit code: 0 all cells ok or skipped, 1 a cell failed, 2 wrong input, 130 interrupted.\n";
+  return out;
+}
+
+std::pair<uint32_t, uint32_t> parseSize(const std::string& text) {
+  unsigned width = 0, height = 0;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%ux%u%n", &width, &height, &used) != 2 ||
+      size_t(used) != text.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
+    throw InputError("--size", "found '" + text + "', expected WIDTHxHEIGHT, each 1..16384");
+  return {width, height};
+}
+
+/// Options that choose cells: the same for measuring and for `render`.
+void addSelection(CLI::App& app, Options& o, std::string& size) {
+  app.add_option("--technique", o.selection.techniques,
+                 "technique, or TECHNIQUE+TRANSPARENCY; repeat or separate by commas")
+      ->delimiter(',')
+      ->type_name("NAME");
+  app.add_option("--backend", o.selection.backends, "vulkan, opengl (EGL) or opengl-osmesa")
+      ->delimiter(',')
+      ->type_name("NAME");
+  app.add_option("--scene", o.selection.scenes, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
+      ->type_name("SCENE");
+  app.add_option("--set", o.selection.sets, "knob=value; several values make a sweep")
+      ->type_name("KNOB=V1[,V2...]");
+  app.add_option("--size", size, "of the picture [512x512]")->type_name("WxH");
+  app.add_option("--seed", o.selection.seed, "of random numbers [0]")->type_name("N");
+}
+
+void addCommon(CLI::App& app, Options& o) {
+  app.add_option("--gl", o.gl, "how OpenGL is reached when no backend is named [egl]")
+      ->check(CLI::IsMember({"egl", "osmesa"}))
+      ->type_name("egl|osmesa");
+  app.add_option("--device", o.device, "number or part of the name, see `bench doctor`")
+      ->type_name("N|NAME");
+  app.add_option("--shaders", o.shaderFolder, "compile the shaders of a folder instead of the built-in")
+      ->type_name("DIR");
+  app.add_flag("--validate", o.validate,
+               "switch on the drivers' validation and our own (slower; results are marked)");
+  app.add_flag("--quiet", o.quiet, "no progress line");
+}
+
+}  // namespace
+
+std::optional<Options> parseOptions(int argc, char** argv) {
+  Options o;
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  o.benchmark = takeBenchmarkFlags(arguments);
+
+  CLI::App app{
+      "ShadowBench measures techniques for shadows and transparency: what each costs in time and\n"
+      "memory on your scene, your GPU and your API, with the picture verified within the run.\n"
+      "Without arguments: a quick suite of all techniques on all working backends."};
+  app.name("bench");
+  app.set_version_flag("--version", SHADOWBENCH_VERSION);
+  app.footer(footer);
+  std::string size;
+  addSelection(app, o, size);
+  addCommon(app, o);
+  app.add_option("--filter", o.selection.filter, "only cells whose name matches")
+      ->type_name("REGEX");
+  app.add_option("--budget", o.budgetSeconds, "seconds to measure each cell at most [3; quick 1]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  app.add_option("--precision", o.precisionPercent,
+                 "stop when the 95 % interval of the median is within so much [5]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("PERCENT");
+  app.add_option("--json", o.jsonFile, "write all results (Google Benchmark's schema)")
+      ->type_name("FILE");
+  app.add_option("--csv", o.csvFile, "write one row a cell")->type_name("FILE");
+  app.add_flag("--list", o.list, "print the names of the cells and stop");
+
+  CLI::App* render = app.add_subcommand("render", "write the picture of one cell as PNG and EXR");
+  std::string renderSize;
+  addSelection(*render, o, renderSize);
+  addCommon(*render, o);
+  render->add_option("--output,-o", o.outputPrefix, "path without extension [render]")
+      ->type_name("PREFIX");
+  render->add_flag("--visibility", o.visibility,
+                   "also the visibility buffer: per light, the first opaque surface and four layers");
+  render->add_option("--exposure", o.exposure, "factor on linear values before the PNG [1]");
+
+  CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
+  scene->add_option("scene", o.sceneName, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
+      ->required()
+      ->type_name("SCENE");
+  scene->add_flag("--json", o.sceneJson, "as JSON");
+  scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
+
+  CLI::App* doctor = app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
+  addCommon(*doctor, o);
+  app.require_subcommand(0, 1);
+
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector back to front
+  try {
+    app.parse(arguments);
+  } catch (const CLI::Success& e) {
+    app.exit(e);
+    return {};
+  } catch (const CLI::ParseError& e) {
+    throw InputError("", std::string(e.what()) + " (see bench --help)");
+  }
+  if (render->parsed()) o.command = Command::Render;
+  if (scene->parsed()) o.command = Command::Scene;
+  if (doctor->parsed()) o.command = Command::Doctor;
+  if (!size.empty()) o.selection.size = parseSize(size);
+  if (!renderSize.empty()) o.selection.size = parseSize(renderSize);
+  if (!o.benchmark.filter.empty()) {
+    if (!o.selection.filter.empty())
+      throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");
+    o.selection.filter = o.benchmark.filter;
+  }
+  o.list |= o.benchmark.list;
+  return o;
+}
+
+}  // namespace sb

@@ -1,0 +1,42 @@
+// The command line, parsed: what `./bench --help` describes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "suites/harness/gbench.h"
+#include "suites/harness/selection.h"
+
+namespace sb {
+
+enum class Command : uint8_t { Measure, Render, Scene, Doctor };
+
+struct Options {
+  Command command = Command::Measure;
+  Selection selection;
+  BenchmarkFlags benchmark;
+  std::string gl = "egl";  ///< which context "opengl" stands for when no backend is named
+  std::string device;
+  std::string shaderFolder;
+  std::optional<double> budgetSeconds;
+  std::optional<double> precisionPercent;
+  std::string jsonFile, csvFile;
+  bool list = false;
+  bool validate = false;
+  bool quiet = false;
+  // render
+  std::string outputPrefix = "render";
+  bool visibility = false;
+  float exposure = 1;
+  // scene
+  std::string sceneName;
+  bool sceneJson = false;
+  std::string exportFile;
+};
+
+/// Throws InputError for wrong arguments. When help or the version was asked for, prints it and
+/// gives nothing.
+std::optional<Options> parseOptions(int argc, char** argv);
+
+}  // namespace sb

@@ -1,0 +1,41 @@
+// The one file that names concrete backends.
+#include "backends/opengl/gl_backend.h"
+#include "backends/shader/collect.h"
+#include "backends/vulkan/vk_backend.h"
+#include "suites/cli/commands.h"
+
+namespace shadowbench_shader_blob {
+void addTo(rhi::ShaderLibrary& library);
+}
+
+namespace sb {
+
+std::vector<rhi::Backend*> Platform::backends() const {
+  std::vector<rhi::Backend*> list;
+  for (const auto& b : owned) list.push_back(b.get());
+  return list;
+}
+
+std::vector<std::string> Platform::names() const {
+  std::vector<std::string> list;
+  for (const auto& b : owned) list.emplace_back(b->name());
+  return list;
+}
+
+Platform makePlatform(const Options& options) {
+  Platform platform;
+  platform.owned.push_back(vulkan::makeBackend());
+  platform.owned.push_back(opengl::makeBackend(opengl::ContextKind::Egl));
+  platform.owned.push_back(opengl::makeBackend(opengl::ContextKind::OSMesa));
+  if (options.shaderFolder.empty())
+    shadowbench_shader_blob::addTo(platform.shaders);
+  else
+    platform.shaders = shader::compileFolder(options.shaderFolder);
+  return platform;
+}
+
+std::vector<std::string> defaultBackends(const Options& options) {
+  return {"vulkan", options.gl == "osmesa" ? "opengl-osmesa" : "opengl"};
+}
+
+}  // namespace sb

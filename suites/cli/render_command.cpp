@@ -1,0 +1,73 @@
+// bench render: the picture of one cell as PNG and linear EXR, and its visibility buffer.
+#include <cstdio>
+
+#include "reports/picture.h"
+#include "suites/cli/commands.h"
+#include "suites/harness/verify.h"
+#include "suites/scenes/analysis.h"
+#include "suites/scenes/procedural.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+void writeBoth(const std::string& prefix, const report::Picture& picture, float exposure) {
+  report::writePng(prefix + ".png", picture, exposure);
+  report::writeExr(prefix + ".exr", picture);
+  std::printf("%s.png %s.exr\n", prefix.c_str(), prefix.c_str());
+}
+
+CellId oneCell(const Options& options, const Platform& platform) {
+  Selection selection = options.selection;
+  if (selection.techniques.empty()) selection.techniques = {"CSSM2"};
+  if (selection.scenes.empty()) selection.scenes = {"layers"};
+  if (selection.backends.empty()) selection.backends = {"vulkan"};
+  const auto cells = selectCells(selection, platform.names(), {});
+  if (cells.size() != 1)
+    throw InputError("render", "found " + std::to_string(cells.size()) +
+                                   " cells, expected one technique, backend, scene and value a knob");
+  return cells.front();
+}
+
+}  // namespace
+
+int renderCommand(const Options& options) {
+  Platform platform = makePlatform(options);
+  const CellId id = oneCell(options, platform);
+  const Scene scene = makeScene(id.scene);
+  Devices devices(platform.backends(), platform.shaders,
+                  {.selector = options.device, .validate = options.validate});
+  DeviceSession* session = devices.open(id.backend);
+  if (!session) throw rhi::Error("render", "", id.backend + ": " + devices.why(id.backend));
+  const Effects effects = analyse(scene, double(id.width) / double(id.height));
+  const GpuScene gpuScene(*session->device, scene);
+  Renderer renderer(session->context(), gpuScene, effects,
+                    {.technique = &shadowTechnique(id.technique),
+                     .transparency = &transparencyTechnique(id.transparency),
+                     .knobs = cellKnobs(id),
+                     .size = {id.width, id.height},
+                     .seed = id.seed,
+                     .forced = {}});
+  renderer.frame();
+  const report::Picture picture{id.width, id.height, renderer.readImage()};
+  if (const uint64_t bad = countNonFinite(picture))
+    std::fprintf(stderr, "bench: warning: %llu values of the picture are not finite\n",
+                 static_cast<unsigned long long>(bad));
+  writeBoth(options.outputPrefix, picture, options.exposure);
+  if (options.visibility)
+    for (uint32_t light = 0; light < renderer.lightCount(); ++light) {
+      const auto layers = renderer.readVisibility(light);
+      for (size_t layer = 0; layer < layers.size(); ++layer)
+        writeBoth(options.outputPrefix + ".visibility.light" + std::to_string(light) +
+                      (layer == 0 ? ".opaque" : ".layer" + std::to_string(layer)),
+                  {id.width, id.height, layers[layer]}, 1);
+    }
+  int code = 0;
+  for (const rhi::Message& m : session->device->takeMessages()) {
+    std::fprintf(stderr, "bench: %s [%s] %s\n", m.source.c_str(), m.rule.c_str(), m.text.c_str());
+    code = 1;
+  }
+  return code;
+}
+
+}  // namespace sb

@@ -1,0 +1,40 @@
+// A cell of the matrix as plain data. Running it depends on nothing else, so that it can be handed
+// to another process or machine, and its name reproduces it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "techniques/common/knobs.h"
+
+namespace sb {
+
+struct CellId {
+  std::string technique;     ///< "CSSM2"
+  std::string transparency;  ///< "Sorted"
+  std::string backend;       ///< "vulkan", "opengl", "opengl-osmesa"
+  std::string scene;         ///< canonical: "spheres_quads:quads=500" or a file's path
+  std::map<std::string, std::string> knobs;  ///< those given; the rest are defaults
+  uint32_t width = 512;
+  uint32_t height = 512;
+  uint32_t seed = 0;
+  /// Measured for comparison only: not asked for, not reported.
+  bool companion = false;
+};
+
+/// TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value.../WxH; default values left out; the seed
+/// stands as "seed:N" among the knobs when it is not 0. Throws InputError on a bad knob.
+std::string cellName(const CellId& id);
+
+/// Knobs of the pair with the cell's values. Throws InputError.
+Knobs cellKnobs(const CellId& id);
+
+/// The command line that measures this cell again.
+std::string cellCommand(const CellId& id);
+
+/// The transparency technique that names leave out.
+inline constexpr const char* kDefaultTransparency = "Sorted";
+
+}  // namespace sb

@@ -1,0 +1,171 @@
+#include "suites/harness/gbench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
+
+#include "reports/stats/stats.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+using benchmark::BenchmarkReporter;
+
+std::string flagValue(const std::string& argument) {
+  const size_t equals = argument.find('=');
+  return equals == std::string::npos ? "true" : argument.substr(equals + 1);
+}
+
+double positiveNumber(const std::string& argument) {
+  char* end = nullptr;
+  const std::string text = flagValue(argument);
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end || !(value > 0))
+    throw InputError(argument.substr(0, argument.find('=')),
+                     "found '" + text + "', expected a number above 0");
+  return value;
+}
+
+/// Hands runs on with the cell's name and its measured CPU time.
+class Corrected final : public BenchmarkReporter {
+ public:
+  Corrected(std::unique_ptr<BenchmarkReporter> inner, const std::vector<report::Record>& records)
+      : m_inner(std::move(inner)) {
+    for (const report::Record& r : records) m_records[r.name] = &r;
+  }
+  bool ReportContext(const Context& context) override {
+    m_inner->SetOutputStream(&GetOutputStream());
+    m_inner->SetErrorStream(&GetErrorStream());
+    return m_inner->ReportContext(context);
+  }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    std::vector<Run> corrected = runs;
+    for (Run& run : corrected) correct(run);
+    m_inner->ReportRuns(corrected);
+  }
+  void Finalize() override { m_inner->Finalize(); }
+
+ private:
+  void correct(Run& run) const {
+    run.run_name.iterations.clear();
+    run.run_name.repetitions.clear();
+    run.run_name.time_type.clear();
+    auto found = m_records.find(run.run_name.function_name);
+    if (found == m_records.end() || run.error_occurred) return;
+    std::vector<double> cpu;
+    for (const report::Block& b : found->second->blocks) cpu.push_back(b.cpuMs * 1e-3);
+    if (run.run_type == Run::RT_Iteration) {
+      const size_t index = size_t(std::max<int64_t>(0, run.repetition_index)) % cpu.size();
+      run.cpu_accumulated_time = cpu[index] * double(run.iterations);
+      return;
+    }
+    const report::Distribution d = report::distribution(cpu);
+    double mean = 0;
+    for (double c : cpu) mean += c / double(cpu.size());
+    const double value = run.aggregate_name == "mean"     ? mean
+                         : run.aggregate_name == "median" ? d.median
+                         : run.aggregate_name == "stddev" ? d.cv * mean
+                                                          : d.cv;
+    run.cpu_accumulated_time = run.aggregate_unit == benchmark::StatisticUnit::kTime
+                                   ? value * double(run.iterations)
+                                   : value;
+  }
+
+  std::unique_ptr<BenchmarkReporter> m_inner;
+  std::map<std::string, const report::Record*> m_records;
+};
+
+class Silent final : public BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>&) override {}
+};
+
+void replay(benchmark::State& state, const report::Record& record, size_t& next) {
+  if (record.status != report::Status::Ok) {
+    state.SkipWithError(record.reason.c_str());
+    return;
+  }
+  const report::Block& block = record.blocks[next++ % record.blocks.size()];
+  for (auto _ : state) state.SetIterationTime(block.frameMs * 1e-3);
+}
+
+void registerCell(const report::Record& record) {
+  const bool ok = record.status == report::Status::Ok;
+  auto* entry = benchmark::RegisterBenchmark(
+      record.name.c_str(),
+      [&record, next = size_t(0)](benchmark::State& state) mutable { replay(state, record, next); });
+  entry->UseManualTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(ok ? std::max(1u, record.blocks.front().frames) : 1)
+      ->Repetitions(ok ? int(record.blocks.size()) : 1);
+}
+
+std::unique_ptr<BenchmarkReporter> fileReporter(const BenchmarkFlags& flags) {
+  std::string format = "json";
+  bool toFile = false;
+  for (const std::string& a : flags.arguments) {
+    if (a.starts_with("--benchmark_out_format")) format = flagValue(a);
+    if (a.starts_with("--benchmark_out=")) toFile = !flagValue(a).empty();
+  }
+  if (!toFile) return nullptr;
+  if (format == "console") return std::make_unique<benchmark::ConsoleReporter>();
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  if (format == "csv") return std::make_unique<benchmark::CSVReporter>();
+#pragma GCC diagnostic pop
+  return std::make_unique<benchmark::JSONReporter>();
+}
+
+}  // namespace
+
+BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
+  BenchmarkFlags flags;
+  std::vector<std::string> rest;
+  for (const std::string& a : arguments) {
+    if (!a.starts_with("--benchmark_")) {
+      rest.push_back(a);
+      continue;
+    }
+    flags.arguments.push_back(a);
+    if (a.starts_with("--benchmark_filter=")) flags.filter = flagValue(a);
+    if (a.starts_with("--benchmark_repetitions="))
+      flags.repetitions = uint32_t(std::max(1.0, positiveNumber(a)));
+    if (a.starts_with("--benchmark_min_time=")) flags.minSeconds = positiveNumber(a);
+    if (a.starts_with("--benchmark_list_tests")) flags.list = flagValue(a) == "true";
+    if (a.starts_with("--benchmark_format")) flags.display = true;
+  }
+  arguments = rest;
+  std::vector<std::string> words = {"bench"};
+  words.insert(words.end(), flags.arguments.begin(), flags.arguments.end());
+  std::vector<char*> argv;
+  for (std::string& w : words) argv.push_back(w.data());
+  int argc = int(argv.size());
+  benchmark::Initialize(&argc, argv.data());
+  if (argc > 1)
+    throw InputError("", "unknown option '" + std::string(argv[1]) +
+                             "'; Google Benchmark 1.7 does not know it");
+  return flags;
+}
+
+void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records) {
+  if (flags.arguments.empty() || records.empty()) return;
+  benchmark::ClearRegisteredBenchmarks();
+  for (const report::Record& r : records) registerCell(r);
+  std::unique_ptr<BenchmarkReporter> display =
+      flags.display ? std::unique_ptr<BenchmarkReporter>(benchmark::CreateDefaultDisplayReporter())
+                    : std::make_unique<Silent>();
+  Corrected correctedDisplay(std::move(display), records);
+  std::unique_ptr<BenchmarkReporter> file = fileReporter(flags);
+  std::unique_ptr<Corrected> correctedFile;
+  if (file) correctedFile = std::make_unique<Corrected>(std::move(file), records);
+  // The filter has been applied to the selection already.
+  benchmark::RunSpecifiedBenchmarks(&correctedDisplay, correctedFile.get(), ".");
+  benchmark::ClearRegisteredBenchmarks();
+}
+
+}  // namespace sb

@@ -1,0 +1,31 @@
+// Every cell as a Google Benchmark. The block scheduler (group.h) has measured; the registered
+// benchmarks replay its blocks as repetitions (manual time, iterations are frames), so that the
+// library's flags, statistics and reporters work on them. The CPU time of a replay means nothing:
+// reporters get the measured one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/record.h"
+
+namespace sb {
+
+/// Flags of the library among the arguments of the program.
+struct BenchmarkFlags {
+  std::vector<std::string> arguments;  ///< all --benchmark_* as given
+  std::string filter;                  ///< --benchmark_filter
+  uint32_t repetitions = 0;            ///< --benchmark_repetitions; 0: not given
+  double minSeconds = 0;               ///< --benchmark_min_time; 0: not given
+  bool list = false;                   ///< --benchmark_list_tests
+  bool display = false;                ///< its own output on the console was asked for
+};
+
+/// Takes the --benchmark_* flags out of `arguments` and lets the library read them. A flag that it
+/// does not know, or a bad value, is an InputError.
+BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments);
+
+/// Runs the library over the records: writes --benchmark_out, prints if display was asked for.
+void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records);
+
+}  // namespace sb

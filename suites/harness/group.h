@@ -1,0 +1,40 @@
+// Measures a group of cells that are compared with each other, interleaved in one process (design,
+// section 6): prepare, warm up, take the untimed picture, then blocks of plain frames in ABBA order
+// until every cell is precise enough or the budget is spent, then stamped frames, then the picture
+// again and the comparison across backends.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "suites/harness/devices.h"
+#include "suites/harness/samples.h"
+
+namespace sb {
+
+struct MeasureSettings {
+  double budgetSeconds = 3;      ///< per cell, for plain frames
+  double precision = 0.05;       ///< relative half width of the median's 95 % interval
+  uint32_t minBlocks = 6;
+  uint32_t blocks = 0;           ///< not 0: exactly so many (--benchmark_repetitions)
+  double blockSeconds = 0.05;    ///< frames of a block last about so long
+  uint32_t stampedFrames = 5;
+  /// Polled between frames: true stops at once; the group under way is given up.
+  const std::atomic<bool>* interrupted = nullptr;
+  /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done, 0..1.
+  std::function<void(const std::string& what, double done)> progress;
+};
+
+struct CellResult {
+  CellId id;
+  report::Record record;
+  report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
+};
+
+/// Results in the order of `cells`, companions included. A cell that cannot run is a skipped or
+/// failed record with its reason. Throws InputError when the scene cannot be loaded. Empty when
+/// interrupted.
+std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
+                                     const MeasureSettings& settings, const std::string& version);
+
+}  // namespace sb

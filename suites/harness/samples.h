@@ -1,0 +1,38 @@
+// Raw measurements of one cell, and the record that is made of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/picture.h"
+#include "reports/record.h"
+#include "suites/harness/cell.h"
+#include "techniques/common/frame.h"
+
+namespace sb {
+
+/// One repetition: consecutive frames between the blocks of other cells.
+struct SampleBlock {
+  std::vector<FrameResult> frames;
+};
+
+struct Samples {
+  double compileMs = 0;  ///< pipeline creation plus what the first frame took beyond a warm one
+  std::vector<SampleBlock> blocks;       ///< plain frames
+  std::vector<FrameResult> stamped;
+  std::optional<FrameResult> counted;
+};
+
+/// The time that frames are ranked by, milliseconds: CPU time of all threads on software devices
+/// (wall time there has a spread of 9-28 %, facts.md), GPU time otherwise.
+double rankingMs(const FrameResult& frame, bool software);
+/// The frame's time: wall time to completion on software devices, GPU time otherwise.
+double frameMs(const FrameResult& frame, bool software);
+/// Mean ranking time of each block.
+std::vector<double> blockMeans(const Samples& samples, bool software);
+
+/// Fills the time and count keys of a record.
+void summarise(const Samples& samples, bool software, report::Record& record);
+
+}  // namespace sb

@@ -1,0 +1,34 @@
+#include "suites/harness/verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace sb {
+
+std::string contentHashOf(const report::Picture& picture) {
+  return report::contentHash(std::as_bytes(std::span(picture.rgba)));
+}
+
+uint64_t countNonFinite(const report::Picture& picture) {
+  return uint64_t(std::ranges::count_if(picture.rgba, [](float v) { return !std::isfinite(v); }));
+}
+
+int maxDifference255(const report::Picture& a, const report::Picture& b) {
+  if (a.width != b.width || a.height != b.height) return 255;
+  const auto x = report::toSrgb8(a), y = report::toSrgb8(b);
+  int most = 0;
+  for (size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(int(x[i]) - int(y[i])));
+  return most;
+}
+
+uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b) {
+  const auto x = report::toSrgb8(a), y = report::toSrgb8(b);
+  uint64_t count = 0;
+  for (size_t i = 0; i + 2 < x.size(); i += 3)
+    count += std::abs(int(x[i]) - int(y[i])) > 1 || std::abs(int(x[i + 1]) - int(y[i + 1])) > 1 ||
+             std::abs(int(x[i + 2]) - int(y[i + 2])) > 1;
+  return count;
+}
+
+}  // namespace sb

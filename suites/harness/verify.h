@@ -1,0 +1,22 @@
+// Checks of pictures within a run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "reports/picture.h"
+
+namespace sb {
+
+/// Content hash of the exact floats.
+std::string contentHashOf(const report::Picture& picture);
+
+/// Values (of any channel) that are NaN or infinite.
+uint64_t countNonFinite(const report::Picture& picture);
+
+/// Largest difference of a colour channel in steps of the 8-bit sRGB picture; 255 for different sizes.
+int maxDifference255(const report::Picture& a, const report::Picture& b);
+/// Pixels that differ by more than one such step in any channel.
+uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b);
+
+}  // namespace sb

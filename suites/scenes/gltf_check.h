@@ -1,0 +1,21 @@
+// Checks of glTF's JSON before anything reads it: types, ranges and references by a table of rules
+// (checkGltf), then that data fits where it says it lies and that nodes form trees.
+#pragma once
+
+#include "suites/scenes/gltf_source.h"
+
+namespace sb {
+
+/// Throws InputError naming the first field that is wrong. Afterwards every property in the table
+/// has its type and range and every reference resolves; integers written as floats ("2.0") have
+/// become integers. What cannot change the picture is a warning (see EXTRAS.md, "Broken files").
+void checkGltf(GltfSource& source);
+
+/// Second half of checkGltf: bufferViews within buffers, accessors within bufferViews, versions,
+/// required extensions, node trees.
+void checkLayout(GltfSource& source);
+
+/// Bytes of one element of an accessor (matrix columns start on multiples of 4), 0 if unknown.
+size_t elementBytes(int componentType, const std::string& type);
+
+}  // namespace sb

@@ -1,0 +1,139 @@
+// Bytes behind uris: base64 data or files beside the glTF file, never the network.
+#include <array>
+#include <optional>
+
+#include "suites/scenes/file_io.h"
+#include "suites/scenes/gltf_source.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+using nlohmann::json;
+
+std::optional<std::vector<uint8_t>> decodeBase64(std::string_view text) {
+  static const auto kValues = [] {
+    std::array<int8_t, 256> values;
+    values.fill(-1);
+    const std::string_view letters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < letters.size(); ++i) values[uint8_t(letters[i])] = int8_t(i);
+    values['-'] = 62, values['_'] = 63;
+    return values;
+  }();
+  for (int pad = 0; pad < 2 && text.ends_with('='); ++pad) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
+  std::vector<uint8_t> bytes;
+  bytes.reserve(text.size() * 3 / 4);
+  uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    const int value = kValues[uint8_t(c)];
+    if (value < 0) return std::nullopt;
+    bits = bits << 6 | uint32_t(value);
+    if ((count += 6) >= 8) bytes.push_back(uint8_t(bits >> (count -= 8)));
+  }
+  return bytes;
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string percentDecoded(const GltfSource& source, const std::string& field,
+                           const std::string& uri, bool zeroAllowed) {
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] != '%') {
+      text += uri[i];
+      continue;
+    }
+    const int high = i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+    const int low = i + 2 < uri.size() ? hexDigit(uri[i + 2]) : -1;
+    if (high < 0 || low < 0)
+      source.fail(field, shown(uri) + " is not a valid uri: '%' needs two hexadecimal digits");
+    text += char(high * 16 + low);
+    i += 2;
+  }
+  if (!zeroAllowed && text.find('\0') != std::string::npos)
+    source.fail(field, shown(uri) + " is not a valid uri: it holds a zero byte");
+  return text;
+}
+
+}  // namespace
+
+std::filesystem::path uriPath(const GltfSource& source, const std::string& field,
+                              const std::string& uri) {
+  if (uri.empty()) source.fail(field, "is empty, expected a file name or a data uri");
+  const size_t colon = uri.find(':');
+  if (colon != std::string::npos && uri.find('/') > colon)
+    source.fail(field, shown(uri) + " is not a file: expected a relative path or a data uri");
+  const std::filesystem::path relative = percentDecoded(source, field, uri, false);
+  if (relative.is_absolute())
+    source.fail(field, shown(uri) + " is an absolute path, expected a relative one");
+  return source.path.parent_path() / relative;
+}
+
+std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
+                             const std::string& uri, std::string& mimeType) {
+  mimeType.clear();
+  if (uri.starts_with("data:")) {
+    const size_t comma = uri.find(',');
+    const std::string head = uri.substr(5, comma == std::string::npos ? 0 : comma - 5);
+    if (comma == std::string::npos || head.find(";;") != head.npos)
+      source.fail(field, shown(uri) + " is not a valid data uri: expected data:TYPE;base64,...");
+    mimeType = head.substr(0, head.find(';'));
+    if (!head.ends_with(";base64")) {
+      const std::string text = percentDecoded(source, field, uri.substr(comma + 1), true);
+      return {text.begin(), text.end()};
+    }
+    auto bytes = decodeBase64(std::string_view(uri).substr(comma + 1));
+    if (!bytes) source.fail(field, shown(uri) + " holds invalid base64");
+    return *std::move(bytes);
+  }
+  try {
+    return readWholeFile(uriPath(source, field, uri), kMaxFileBytes);
+  } catch (const InputError& error) {
+    source.fail(field, error.what());
+  }
+}
+
+void loadBuffers(GltfSource& source) {
+  const json buffers = source.json.value("buffers", json::array());
+  source.buffers.resize(buffers.size());
+  size_t total = 0;
+  for (size_t i = 0; i < buffers.size(); ++i) {
+    const std::string field = "buffers[" + std::to_string(i) + "]";
+    const json& buffer = buffers[i];
+    const size_t length = buffer["byteLength"].get<size_t>();
+    std::vector<uint8_t>& bytes = source.buffers[i];
+    if (buffer.contains("uri")) {
+      std::string mimeType;
+      bytes = readUri(source, field + ".uri", buffer["uri"], mimeType);
+      if (!mimeType.empty() && mimeType != "application/octet-stream" &&
+          mimeType != "application/gltf-buffer")
+        source.warn(field + ".uri: media type '" + mimeType +
+                    "', expected application/octet-stream; its bytes are used");
+    } else if (i == 0 && source.hasBinChunk) {
+      bytes = source.binChunk;
+    } else {
+      bool used = i == 0 && source.path.extension() == ".glb";
+      for (const json& view : source.json.value("bufferViews", json::array()))
+        used |= view["buffer"] == i;
+      if (used) source.fail(field, "has neither a uri nor a GLB chunk that holds its data");
+      source.warn(field + " has no data and is not used");
+      continue;
+    }
+    if (bytes.size() < length)
+      source.fail(field + ".byteLength", "is " + std::to_string(length) + ", but its data has " +
+                                             std::to_string(bytes.size()) + " bytes");
+    bytes.resize(length);
+    if ((total += length) > kMaxFileBytes)
+      source.fail("buffers", "hold more than " + std::to_string(kMaxFileBytes) + " bytes together");
+  }
+}
+
+}  // namespace sb

@@ -1,0 +1,138 @@
+// The registry of procedural scenes and the specs that name them.
+#include "suites/scenes/procedural.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "suites/scenes/gltf_loader.h"
+#include "suites/scenes/procedural_scenes.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+const std::vector<ProceduralScene>& registry() {
+  static const std::vector<ProceduralScene> kScenes = {layers(), spheresQuads(), teapot(),
+                                                       roseWindow()};
+  return kScenes;
+}
+
+bool isFile(std::string_view spec) {
+  const auto ends = [&](std::string_view end) {
+    return spec.size() >= end.size() &&
+           std::ranges::equal(spec.substr(spec.size() - end.size()), end, {},
+                              [](unsigned char c) { return char(std::tolower(c)); });
+  };
+  return ends(".gltf") || ends(".glb");
+}
+
+// Shortest text that reads back as the same number.
+std::string numberText(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string valueText(const SceneParam& param, double value) {
+  return param.choices.empty() ? numberText(value) : param.choices.at(size_t(value));
+}
+
+double parseValue(const std::string& where, const SceneParam& param, const std::string& text) {
+  if (!param.choices.empty()) {
+    const auto found = std::ranges::find(param.choices, text);
+    if (found == param.choices.end())
+      throw InputError(where, unknownName("value of " + param.name, text, param.choices));
+    return double(found - param.choices.begin());
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  if (!number || !(value >= param.low && value <= param.high) ||
+      (param.whole && std::floor(value) != value))
+    throw InputError(where, param.name + " is '" + text + "', expected a " +
+                                (param.whole ? "whole number" : "number") + " from " +
+                                numberText(param.low) + " to " + numberText(param.high) +
+                                (param.unit.empty() ? "" : " " + param.unit));
+  return value + 0.0;  // -0 is 0
+}
+
+struct Parsed {
+  const ProceduralScene* scene = nullptr;
+  ParamValues values;
+};
+
+Parsed parseSpec(std::string_view spec) {
+  const std::string where = "scene '" + std::string(spec) + "'";
+  const std::string name(spec.substr(0, spec.find(':')));
+  Parsed parsed;
+  std::vector<std::string> names;
+  for (const ProceduralScene& scene : registry()) {
+    names.push_back(scene.info.name);
+    if (scene.info.name == name) parsed.scene = &scene;
+  }
+  if (!parsed.scene)
+    throw InputError(where, unknownName("scene", name, names) +
+                                " (or a path that ends in .gltf or .glb)");
+  const std::vector<SceneParam>& params = parsed.scene->info.params;
+  for (const SceneParam& param : params) parsed.values[param.name] = param.fallback;
+  if (name.size() == spec.size()) return parsed;
+
+  std::vector<std::string> given;
+  std::string_view rest = spec.substr(name.size() + 1);
+  while (true) {
+    const std::string item(rest.substr(0, rest.find(',')));
+    const size_t equals = item.find('=');
+    if (equals == item.npos)
+      throw InputError(where, "'" + item + "' is not of the form parameter=value");
+    const std::string key = item.substr(0, equals);
+    const auto param = std::ranges::find(params, key, &SceneParam::name);
+    if (param == params.end()) {
+      std::vector<std::string> known;
+      for (const SceneParam& p : params) known.push_back(p.name);
+      throw InputError(where, unknownName("parameter of " + name, key, known));
+    }
+    if (std::ranges::find(given, key) != given.end())
+      throw InputError(where, key + " is given twice");
+    given.push_back(key);
+    parsed.values[key] = parseValue(where, *param, item.substr(equals + 1));
+    if (item.size() == rest.size()) return parsed;
+    rest.remove_prefix(item.size() + 1);
+  }
+}
+
+std::string canonical(const Parsed& parsed) {
+  std::string spec = parsed.scene->info.name;
+  char separator = ':';
+  for (const SceneParam& param : parsed.scene->info.params) {
+    const double value = parsed.values.at(param.name);
+    if (value == param.fallback) continue;
+    spec += separator + param.name + "=" + valueText(param, value);
+    separator = ',';
+  }
+  return spec;
+}
+
+}  // namespace
+
+std::string SceneParam::fallbackText() const { return valueText(*this, fallback); }
+
+std::vector<SceneInfo> proceduralScenes() {
+  std::vector<SceneInfo> infos;
+  for (const ProceduralScene& scene : registry()) infos.push_back(scene.info);
+  return infos;
+}
+
+Scene makeScene(std::string_view spec) {
+  if (isFile(spec)) return loadGltf(spec);
+  const Parsed parsed = parseSpec(spec);
+  Scene scene = parsed.scene->make(parsed.values);
+  scene.name = canonical(parsed);
+  return scene;
+}
+
+std::string canonicalSceneSpec(std::string_view spec) {
+  return isFile(spec) ? std::string(spec) : canonical(parseSpec(spec));
+}
+
+}  // namespace sb

@@ -1,0 +1,118 @@
+#include "techniques/common/camera_pass.h"
+
+#include <algorithm>
+
+#include "shaders/common/shared_slots.h"
+
+namespace sb {
+
+std::vector<rhi::SpecConstant> declaredConstants(
+    std::initializer_list<const rhi::ShaderCode*> stages,
+    const std::vector<rhi::SpecConstant>& wanted) {
+  std::vector<rhi::SpecConstant> declared;
+  for (const rhi::SpecConstant& c : wanted)
+    if (std::ranges::any_of(stages, [&](const rhi::ShaderCode* code) {
+          return code && std::ranges::find(code->constants, c.id, &rhi::ShaderConstant::id) !=
+                             code->constants.end();
+        }))
+      declared.push_back(c);
+  return declared;
+}
+
+CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
+                       const TransparencyEntry* transparency)
+    : m_context(context), m_folder(std::move(folder)), m_inputs(std::move(inputs)) {
+  const auto [width, height] = context.view.size();
+  using U = rhi::TextureUse;
+  m_color = context.device.createTexture({.label = "camera colour",
+                                          .format = kColorFormat,
+                                          .width = width,
+                                          .height = height,
+                                          .use = U::ColorTarget | U::Sampled | U::CopySource});
+  m_depth = context.device.createTexture({.label = "camera depth",
+                                          .format = kDepthFormat,
+                                          .width = width,
+                                          .height = height,
+                                          .use = U::DepthTarget | U::Sampled | U::CopySource});
+  // Every pipeline may read the triangle order; only sorted triangles have one of their own.
+  m_noOrder = context.device.createBuffer(
+      {.label = "view triangle order", .size = 16, .use = rhi::BufferUse::Storage});
+  std::vector<rhi::Binding> extra = m_inputs.bindings;
+  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_noOrder));
+  m_drawList = DrawList(context.view, std::move(extra), true);
+
+  const Scene& scene = context.view.scene();
+  for (uint32_t i : context.view.effects().visibleOpaque) {
+    const Material& material = scene.materials[scene.meshes[scene.instances[i].mesh].material];
+    (material.alphaMode == AlphaMode::Mask ? m_maskedInstances : m_opaqueInstances).push_back(i);
+  }
+  if (!m_opaqueInstances.empty())
+    m_opaque = context.pipelines.get(surfacePipeline("opaque", "forward.frag", false));
+  if (!m_maskedInstances.empty())
+    m_masked = context.pipelines.get(surfacePipeline("masked", "forward.frag", true));
+  if (transparency && context.plan.runs(Effect::CameraTransparency)) {
+    m_transparency = transparency->make();
+    m_transparency->prepare(context, *this);
+  }
+}
+
+rhi::GraphicsPipelineDesc CameraPass::surfacePipeline(const std::string& label,
+                                                      const std::string& fragment,
+                                                      bool masked) const {
+  rhi::GraphicsPipelineDesc desc{
+      .label = m_folder + " " + label,
+      .vertex = &m_context.shaders.get("common/surface.vert"),
+      .fragment = &m_context.shaders.get(m_folder + "/" + fragment),
+      .vertexBuffers = GpuScene::vertexLayout(true),
+      .attributes = GpuScene::vertexAttributes(true),
+      .depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less},
+      .targets = {{.format = kColorFormat}},
+      .depthFormat = kDepthFormat};
+  std::vector<rhi::SpecConstant> constants = {
+      {0, m_context.view.gpu().textured()},
+      {1, m_context.plan.runs(Effect::NormalMaps)},
+      {2, masked}};
+  constants.insert(constants.end(), m_inputs.constants.begin(), m_inputs.constants.end());
+  desc.constants = declaredConstants({desc.vertex, desc.fragment}, constants);
+  return desc;
+}
+
+rhi::GraphicsPipelineDesc CameraPass::translucentPipeline(
+    const std::string& transparencyFolder) const {
+  rhi::GraphicsPipelineDesc desc = surfacePipeline("translucent", "forward.frag", false);
+  desc.fragment = &m_context.shaders.get(m_folder + "+" + transparencyFolder + "/translucent.frag");
+  desc.depth = {.test = true, .write = false, .compare = rhi::CompareOp::LessOrEqual};
+  return desc;
+}
+
+void CameraPass::recordOpaque(Frame& frame) {
+  const glm::vec3 background = m_context.view.scene().background;
+  const rhi::ColorAttachment color{.view = {.texture = m_color},
+                                   .clear = {background.r, background.g, background.b, 1}};
+  frame.pass({.label = "opaque",
+              .colors = std::span(&color, 1),
+              .depth = rhi::DepthAttachment{.view = {.texture = m_depth}},
+              .reads = m_inputs.reads},
+             PassGroup::Scene, [&](rhi::CommandList& commands) {
+               if (m_opaque) m_drawList.draw(commands, m_opaque, m_opaqueInstances);
+               if (m_masked) m_drawList.draw(commands, m_masked, m_maskedInstances);
+             });
+}
+
+void CameraPass::recordTranslucent(Frame& frame) {
+  if (m_transparency) m_transparency->record(frame, *this);
+}
+
+void CameraPass::translucentPass(Frame& frame, const std::string& label,
+                                 const std::function<void(rhi::CommandList&)>& body) {
+  const rhi::ColorAttachment color{.view = {.texture = m_color}, .load = rhi::LoadOp::Load};
+  frame.pass({.label = label,
+              .colors = std::span(&color, 1),
+              .depth = rhi::DepthAttachment{.view = {.texture = m_depth},
+                                            .load = rhi::LoadOp::Load,
+                                            .readOnly = true},
+              .reads = m_inputs.reads},
+             PassGroup::Scene, body);
+}
+
+}  // namespace sb

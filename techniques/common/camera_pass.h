@@ -1,0 +1,60 @@
+// The picture: opaque surfaces shaded through the technique's visibility, then the transparency
+// technique over them. Colour is linear RGBA16F, depth D32F.
+#pragma once
+
+#include "techniques/common/draw_list.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+
+class CameraPass {
+ public:
+  static constexpr rhi::Format kColorFormat = rhi::Format::RGBA16Float;
+  static constexpr rhi::Format kDepthFormat = rhi::Format::D32Float;
+
+  /// `folder`: of the shaders that answer lightVisibility. `transparency` may be null when the plan
+  /// has no Effect::CameraTransparency.
+  CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
+             const TransparencyEntry* transparency);
+
+  void recordOpaque(Frame& frame);
+  void recordTranslucent(Frame& frame);
+
+  rhi::TextureId color() const { return m_color; }
+  rhi::TextureId depth() const { return m_depth; }
+  const std::string& folder() const { return m_folder; }
+  const VisibilityInputs& inputs() const { return m_inputs; }
+
+  // For transparency techniques.
+
+  /// Pipeline of translucent surfaces with `emit` of the technique's folder: reads depth LEQUAL,
+  /// writes none, one colour target without blending. Change what differs, then get it.
+  rhi::GraphicsPipelineDesc translucentPipeline(const std::string& transparencyFolder) const;
+  /// A pass over the opaque picture: colour loaded, depth read only, visibility declared.
+  void translucentPass(Frame& frame, const std::string& label,
+                       const std::function<void(rhi::CommandList&)>& body);
+  DrawList& drawList() { return m_drawList; }
+
+ private:
+  friend class VisibilityBuffer;
+  rhi::GraphicsPipelineDesc surfacePipeline(const std::string& label, const std::string& fragment,
+                                            bool masked) const;
+
+  const Context m_context;
+  std::string m_folder;
+  VisibilityInputs m_inputs;
+  rhi::Texture m_color, m_depth;
+  rhi::PipelineId m_opaque, m_masked;
+  std::vector<uint32_t> m_opaqueInstances, m_maskedInstances;
+  rhi::Buffer m_noOrder;
+  DrawList m_drawList;
+  std::unique_ptr<TransparencyTechnique> m_transparency;
+};
+
+/// The values of `wanted` that one of the stages declares: a branch that a shader does not have
+/// needs no constant.
+std::vector<rhi::SpecConstant> declaredConstants(
+    std::initializer_list<const rhi::ShaderCode*> stages,
+    const std::vector<rhi::SpecConstant>& wanted);
+
+}  // namespace sb

@@ -1,0 +1,94 @@
+#include "techniques/common/frame.h"
+
+#include <cassert>
+#include <chrono>
+#include <ctime>
+
+namespace sb {
+namespace {
+
+double clockMs(clockid_t id) {
+  timespec t{};
+  clock_gettime(id, &t);
+  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+/// Stamps around a plain frame perturb OpenGL on software devices, where each is a glFinish.
+bool frameStampsAreFree(const rhi::Device& device) {
+  return device.info().limits.timestampBits > 0 &&
+         !(device.isSoftware() && device.info().backend.starts_with("opengl"));
+}
+
+}  // namespace
+
+FrameQueries::FrameQueries(rhi::Device& device) {
+  m_stamps = device.createQueryPool(
+      {.label = "frame stamps", .kind = rhi::QueryKind::Timestamp, .count = kMaxPasses + 1});
+  if (device.supports(rhi::Feature::PipelineStatistics))
+    m_statistics = device.createQueryPool({.label = "frame statistics",
+                                           .kind = rhi::QueryKind::PipelineStatistics,
+                                           .count = kMaxPasses});
+}
+
+Frame::Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode)
+    : m_commands(commands), m_queries(queries), m_mode(mode) {}
+
+void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
+                 const std::function<void(rhi::CommandList&)>& body) {
+  const uint32_t index = uint32_t(m_passes.size());
+  assert(index < FrameQueries::kMaxPasses);
+  const rhi::Counters before = m_commands.counters();
+  {
+    rhi::PassScope scope = m_commands.beginPass(desc);
+    const bool count = m_mode == FrameMode::Counted && m_queries.hasStatistics() && !desc.compute;
+    if (count) m_commands.beginQuery(m_queries.statistics(), index);
+    body(m_commands);
+    if (count) m_commands.endQuery(m_queries.statistics(), index);
+  }
+  if (m_mode == FrameMode::Stamped) m_commands.timestamp(m_queries.stamps(), index + 1);
+  m_passes.push_back({.label = desc.label,
+                      .group = group,
+                      .counters = m_commands.counters() - before,
+                      .ms = {},
+                      .fragments = {}});
+}
+
+FrameResult FrameRunner::run(FrameMode mode, const std::function<void(Frame&)>& record) {
+  FrameResult result;
+  const bool frameStamps = mode == FrameMode::Plain && frameStampsAreFree(m_device);
+  const double wall0 = clockMs(CLOCK_MONOTONIC);
+  const double cpu0 = clockMs(CLOCK_PROCESS_CPUTIME_ID);
+  const double thread0 = clockMs(CLOCK_THREAD_CPUTIME_ID);
+  rhi::CommandList& commands = m_device.beginFrame();
+  Frame frame(commands, m_queries, mode);
+  if (frameStamps || mode == FrameMode::Stamped) commands.timestamp(m_queries.stamps(), 0);
+  record(frame);
+  if (frameStamps) commands.timestamp(m_queries.stamps(), 1);
+  result.recordMs = clockMs(CLOCK_THREAD_CPUTIME_ID) - thread0;
+  result.counters = commands.counters();
+  const double submit0 = clockMs(CLOCK_MONOTONIC);
+  const rhi::Ticket ticket = m_device.endFrame();
+  result.submitMs = clockMs(CLOCK_MONOTONIC) - submit0;
+  m_device.wait(ticket);
+  result.wallMs = clockMs(CLOCK_MONOTONIC) - wall0;
+  result.cpuMs = clockMs(CLOCK_PROCESS_CPUTIME_ID) - cpu0;
+
+  result.passes = std::move(frame.m_passes);
+  const uint32_t passes = uint32_t(result.passes.size());
+  if (frameStamps) {
+    const auto t = m_device.readQueries(m_queries.stamps(), 0, 2);
+    result.deviceMs = double(t[1] - t[0]) * 1e-6;
+  }
+  if (mode == FrameMode::Stamped && passes > 0) {
+    const auto t = m_device.readQueries(m_queries.stamps(), 0, passes + 1);
+    for (uint32_t i = 0; i < passes; ++i) result.passes[i].ms = double(t[i + 1] - t[i]) * 1e-6;
+    result.stampedMs = double(t[passes] - t[0]) * 1e-6;
+  }
+  if (mode == FrameMode::Counted && m_queries.hasStatistics())
+    for (uint32_t i = 0; i < passes; ++i)
+      if (result.passes[i].counters.dispatches == 0)
+        result.passes[i].fragments = m_device.readQueries(m_queries.statistics(), i, 1)[5];
+  return result;
+}
+
+}  // namespace sb

@@ -1,0 +1,83 @@
+// One frame as a list of named passes. Every pass is counted; in stamped frames each is timed, in
+// counted frames its fragments are counted too. Plain frames carry no inner stamps: they perturb
+// (facts.md), so a frame's total comes from plain frames and the breakdown from stamped ones.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "backends/rhi/device.h"
+
+namespace sb {
+
+enum class FrameMode : uint8_t { Plain, Stamped, Counted };
+
+/// Which half of the work a pass belongs to (record keys shadow_ms and scene_ms).
+enum class PassGroup : uint8_t { Shadow, Scene };
+
+struct PassResult {
+  std::string label;
+  PassGroup group = PassGroup::Scene;
+  rhi::Counters counters;            ///< of this pass alone
+  std::optional<double> ms;          ///< stamped frames
+  std::optional<uint64_t> fragments; ///< counted frames: fragment shader invocations
+};
+
+/// What a frame took and did. Times in milliseconds.
+struct FrameResult {
+  double recordMs = 0;  ///< CPU time of this thread from beginFrame to the end of recording
+  double submitMs = 0;  ///< CPU wall time of endFrame
+  double wallMs = 0;    ///< from the first command to completion
+  double cpuMs = 0;     ///< process CPU time of all threads over the same span
+  std::optional<double> deviceMs;   ///< between stamps around the whole frame, where they cost nothing
+  std::optional<double> stampedMs;  ///< stamped frames: between the first and the last stamp
+  rhi::Counters counters;
+  std::vector<PassResult> passes;
+};
+
+/// Query pools of a device for stamped and counted frames; shared by all cells of a device.
+class FrameQueries {
+ public:
+  static constexpr uint32_t kMaxPasses = 255;
+  explicit FrameQueries(rhi::Device& device);
+  rhi::QueryPoolId stamps() const { return m_stamps; }
+  rhi::QueryPoolId statistics() const { return m_statistics; }
+  bool hasStatistics() const { return bool(m_statistics); }
+
+ private:
+  rhi::QueryPool m_stamps, m_statistics;
+};
+
+class Frame {
+ public:
+  Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode);
+
+  /// Records a pass: `body` draws. Writes and copies between passes go to commands() and count as
+  /// time of the next pass.
+  void pass(const rhi::PassDesc& desc, PassGroup group,
+            const std::function<void(rhi::CommandList&)>& body);
+  rhi::CommandList& commands() { return m_commands; }
+  FrameMode mode() const { return m_mode; }
+
+ private:
+  friend class FrameRunner;
+  rhi::CommandList& m_commands;
+  FrameQueries& m_queries;
+  FrameMode m_mode;
+  std::vector<PassResult> m_passes;
+};
+
+/// Records a frame with `record`, submits it, waits for it and measures it.
+class FrameRunner {
+ public:
+  FrameRunner(rhi::Device& device, FrameQueries& queries) : m_device(device), m_queries(queries) {}
+  FrameResult run(FrameMode mode, const std::function<void(Frame&)>& record);
+
+ private:
+  rhi::Device& m_device;
+  FrameQueries& m_queries;
+};
+
+}  // namespace sb

@@ -1,0 +1,105 @@
+#include "techniques/common/renderer.h"
+
+#include <algorithm>
+#include <glm/gtc/packing.hpp>
+
+namespace sb {
+namespace {
+
+std::map<std::string, uint64_t> difference(std::map<std::string, uint64_t> after,
+                                           const std::map<std::string, uint64_t>& before) {
+  for (const auto& [label, bytes] : before) {
+    after[label] -= bytes;
+    if (after[label] == 0) after.erase(label);
+  }
+  return after;
+}
+
+}  // namespace
+
+void ShadowTechnique::recordCamera(Frame& frame, CameraPass& camera) {
+  camera.recordOpaque(frame);
+  camera.recordTranslucent(frame);
+}
+
+std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency) {
+  std::vector<KnobInfo> knobs = technique.knobs;
+  if (!technique.ownsCameraPass)
+    knobs.insert(knobs.end(), transparency.knobs.begin(), transparency.knobs.end());
+  return knobs;
+}
+
+std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
+                                     const TechniqueInfo& transparency) {
+  // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03, P2).
+  std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
+  needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
+  needed.insert(needed.end(), transparency.requires_.begin(), transparency.requires_.end());
+  for (rhi::Feature feature : needed)
+    if (!device.supports(feature))
+      return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature))};
+  return {};
+}
+
+Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
+                   RendererDesc desc)
+    : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
+  const auto before = device.device.ledger().bytesByLabel();
+  const TechniqueInfo& info = m_desc.technique->info;
+  EffectSet represents = info.represents;
+  if (!info.ownsCameraPass) represents = represents | m_desc.transparency->info.represents;
+  m_plan = makePlan(effects, represents, m_desc.forced);
+  m_view = std::make_unique<SceneView>(device.device, gpuScene, effects, m_desc.size, m_desc.seed);
+
+  // Without a light that casts there is no shadow to compute: lighting alone, whatever the technique.
+  const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
+  std::string folder = "none";
+  VisibilityInputs inputs;
+  if (casts) {
+    m_technique = m_desc.technique->make();
+    m_technique->prepare(context());
+    folder = info.folder;
+    inputs = m_technique->inputs();
+  }
+  m_camera = std::make_unique<CameraPass>(context(), folder, std::move(inputs),
+                                          info.ownsCameraPass ? nullptr : m_desc.transparency);
+  m_bytes = difference(device.device.ledger().bytesByLabel(), before);
+}
+
+Context Renderer::context() {
+  return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
+}
+
+FrameResult Renderer::frame(FrameMode mode) {
+  return m_runner.run(mode, [&](Frame& frame) {
+    if (m_technique) {
+      m_technique->record(frame);
+      m_technique->recordCamera(frame, *m_camera);
+    } else {
+      m_camera->recordOpaque(frame);
+      m_camera->recordTranslucent(frame);
+    }
+  });
+}
+
+std::vector<float> Renderer::readImage() {
+  return halfToFloat(m_device.device.read(m_camera->color()));
+}
+
+std::vector<VisibilityImage> Renderer::readVisibility(uint32_t light) {
+  if (!m_visibility) m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera);
+  return m_visibility->render(light);
+}
+
+uint32_t Renderer::lightCount() const {
+  return uint32_t(std::ranges::count_if(m_view->effects().lights, &LightEffects::touchesView));
+}
+
+std::vector<float> halfToFloat(std::span<const std::byte> texels) {
+  std::vector<float> out(texels.size() / 2);
+  const auto* half = reinterpret_cast<const uint16_t*>(texels.data());
+  for (size_t i = 0; i < out.size(); ++i) out[i] = glm::unpackHalf1x16(half[i]);
+  return out;
+}
+
+}  // namespace sb

@@ -1,0 +1,73 @@
+// One cell of the matrix, ready to render: a technique and a transparency technique on a scene view
+// of a device. Made outside timed regions; `frame` is what is measured.
+#pragma once
+
+#include <map>
+
+#include "techniques/common/camera_pass.h"
+#include "techniques/common/visibility_buffer.h"
+
+namespace sb {
+
+/// What a device keeps for all its cells.
+struct DeviceContext {
+  rhi::Device& device;
+  const rhi::ShaderLibrary& shaders;
+  PipelineCache& pipelines;
+  FrameQueries& queries;
+};
+
+struct RendererDesc {
+  const ShadowEntry* technique = nullptr;
+  const TransparencyEntry* transparency = nullptr;
+  Knobs knobs;  ///< of both techniques together
+  rhi::Extent2D size;
+  uint32_t seed = 0;
+  EffectSet forced;  ///< tests only, see makePlan
+};
+
+/// Knobs of a pair: names are unique across both.
+std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency);
+
+/// Why a device cannot run a pair, or nothing.
+std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
+                                     const TechniqueInfo& transparency);
+
+class Renderer {
+ public:
+  /// `effects` and `gpuScene` must outlive the renderer. Throws rhi::Error when the device refuses.
+  Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
+           RendererDesc desc);
+
+  FrameResult frame(FrameMode mode = FrameMode::Plain);
+
+  /// The last frame's picture, linear RGBA, row 0 = bottom row (clip y = -1).
+  std::vector<float> readImage();
+  /// Visibility of a light (index among those that touch the view), see VisibilityBuffer::render.
+  std::vector<VisibilityImage> readVisibility(uint32_t light);
+  uint32_t lightCount() const;  ///< lights that touch the view
+
+  const Plan& plan() const { return m_plan; }
+  const SceneView& view() const { return *m_view; }
+  ShadowTechnique* technique() { return m_technique.get(); }  ///< null: the plan needs no shadows
+  /// What this cell alone keeps on the device, bytes by label.
+  const std::map<std::string, uint64_t>& bytesByLabel() const { return m_bytes; }
+
+ private:
+  Context context();
+
+  DeviceContext m_device;
+  RendererDesc m_desc;
+  Plan m_plan;
+  std::unique_ptr<SceneView> m_view;
+  std::unique_ptr<ShadowTechnique> m_technique;
+  std::unique_ptr<CameraPass> m_camera;
+  std::unique_ptr<VisibilityBuffer> m_visibility;
+  FrameRunner m_runner;
+  std::map<std::string, uint64_t> m_bytes;
+};
+
+/// RGBA16F texels as floats (exact).
+std::vector<float> halfToFloat(std::span<const std::byte> texels);
+
+}  // namespace sb

@@ -1,0 +1,128 @@
+#include "techniques/common/shadow_maps.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "shaders/common/shared_slots.h"
+#include "techniques/common/camera_pass.h"
+
+namespace sb {
+
+std::vector<KnobInfo> shadowMapKnobs(const std::string& defaultKernel) {
+  return {
+      {.name = "size", .unit = "texels", .help = "width and height of a shadow map",
+       .fallback = "1024", .min = 4, .max = 16384, .sweep = {"256", "512", "1024", "2048", "4096"}},
+      {.name = "kernel", .unit = "texels", .help = "width of the percentage-closer filter",
+       .fallback = defaultKernel, .min = 1, .max = 63, .odd = true,
+       .sweep = {"1", "3", "5", "9", "15"}},
+      {.name = "shape", .help = "weights of the filter", .fallback = "box",
+       .choices = {"box", "tent"}},
+      {.name = "bias", .help = "what keeps a lit surface from shadowing itself",
+       .fallback = "plane", .choices = {"plane", "slope", "normal", "constant"}},
+      {.name = "fit", .help = "light frustum: tight around what is seen, or of constant extent",
+       .fallback = "tight", .choices = {"tight", "stable"}},
+      {.name = "depth", .help = "format of the depth map", .fallback = "d32f",
+       .choices = {"d16", "d24", "d32f"}, .sweep = {"d16", "d24", "d32f"}},
+  };
+}
+
+float depthStep(rhi::Format format) {
+  switch (format) {
+    case rhi::Format::RGB10A2Unorm: return 0x1p-10f;
+    case rhi::Format::D16Unorm:
+    case rhi::Format::RGBA16Unorm: return 0x1p-16f;
+    default: return 0x1p-24f;
+  }
+}
+
+ShadowMaps::ShadowMaps(const Context& context, float step) {
+  const Knobs& knobs = context.knobs;
+  m_size = knobs.integer("size");
+  m_depthFormat = knobs.is("depth", "d16")   ? rhi::Format::D16Unorm
+                  : knobs.is("depth", "d24") ? rhi::Format::D24Unorm
+                                             : rhi::Format::D32Float;
+  if (m_depthFormat == rhi::Format::D24Unorm &&
+      !context.device.formatCaps(m_depthFormat).depthTarget)
+    m_depthFormat = rhi::Format::D24UnormS8;
+  const SceneView& view = context.view;
+  m_views = fitLights(
+      view.scene(), view.effects(), view.scene().camera(), view.aspect(),
+      {.mapSize = m_size,
+       .guardTexels = std::min(knobs.integer("kernel") / 2 + 2, m_size / 4),
+       .fit = knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
+       .depthStep = std::max(step, depthStep(m_depthFormat)),
+       .depthClamp = context.device.supports(rhi::Feature::DepthClamp)});
+  context.view.setShadowViews(context.device, m_views);
+  m_layers = uint32_t(std::ranges::count_if(m_views, [](auto& v) { return v.layer() >= 0; }));
+
+  m_depth = context.device.createTexture(
+      {.label = "shadow map depth",
+       .kind = rhi::TextureKind::Tex2DArray,
+       .format = m_depthFormat,
+       .width = m_size,
+       .height = m_size,
+       .layers = std::max(1u, m_layers),
+       .use = rhi::TextureUse::DepthTarget | rhi::TextureUse::Sampled |
+              rhi::TextureUse::CopySource});
+  m_pointSampler = context.device.createSampler({.label = "shadow map points",
+                                                 .filter = rhi::Filter::Nearest,
+                                                 .addressU = rhi::AddressMode::ClampToEdge,
+                                                 .addressV = rhi::AddressMode::ClampToEdge});
+  m_passStride = std::max<uint64_t>(16, context.device.info().limits.uniformAlignment);
+  std::vector<std::byte> blocks(std::max<size_t>(1, m_views.size()) * m_passStride);
+  for (uint32_t i = 0; i < m_views.size(); ++i) {
+    const uint32_t ids[4] = {i, 0, 0, 0};
+    std::memcpy(blocks.data() + i * m_passStride, ids, sizeof ids);
+  }
+  m_passBlocks = context.device.createBuffer(
+      {.label = "shadow map passes",
+       .size = blocks.size(),
+       .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
+  context.device.upload(m_passBlocks, 0, blocks);
+  for (size_t i = 0; i < m_views.size(); ++i) {
+    m_plain.emplace_back(view, std::vector{passBlock(i)}, false);
+    m_surfaces.emplace_back(view, std::vector{passBlock(i)}, true);
+  }
+}
+
+rhi::Binding ShadowMaps::passBlock(size_t view) const {
+  return rhi::uniformAt(UNIFORM_PASS, m_passBlocks, view * m_passStride, 16);
+}
+
+rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
+  return {.view = {.texture = m_depth.id(),
+                   .baseMip = 0,
+                   .mipCount = 1,
+                   .baseLayer = uint32_t(view.layer()),
+                   .layerCount = 1}};
+}
+
+std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) {
+  static const std::vector<std::string> kBiases = {"plane", "slope", "normal", "constant"};
+  return {{16, uint32_t(std::ranges::find(kBiases, knobs.text("bias")) - kBiases.begin())},
+          {17, knobs.integer("kernel")},
+          {18, knobs.is("shape", "tent")}};
+}
+
+rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
+                                                     const std::string& label,
+                                                     const std::string& fragment,
+                                                     bool masked) const {
+  const bool surface = !fragment.empty();
+  rhi::GraphicsPipelineDesc desc{
+      .label = label,
+      .vertex =
+          &context.shaders.get(surface ? "common/light_surface.vert" : "common/light.vert"),
+      .fragment = surface ? &context.shaders.get(fragment) : nullptr,
+      .vertexBuffers = GpuScene::vertexLayout(surface),
+      .attributes = GpuScene::vertexAttributes(surface),
+      // Casters between the light and the near plane still cast ("pancaking", spec 01).
+      .raster = {.depthClamp = context.device.supports(rhi::Feature::DepthClamp)},
+      .depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less},
+      .depthFormat = m_depthFormat};
+  desc.constants = declaredConstants({desc.vertex, desc.fragment},
+                                     {{0, context.view.gpu().textured()}, {2, masked}});
+  return desc;
+}
+
+}  // namespace sb

@@ -1,0 +1,58 @@
+// What the shadow-map family shares: its knobs, the fitted views of all lights, the depth map of
+// every view, and the constants of shaders/common/light_space.glsl.
+#pragma once
+
+#include "techniques/common/draw_list.h"
+#include "techniques/common/technique.h"
+
+namespace sb {
+
+/// Knobs size, kernel, shape, bias, fit, depth. `defaultKernel`: odd width in texels.
+std::vector<KnobInfo> shadowMapKnobs(const std::string& defaultKernel);
+
+/// Effects that shading represents whatever the technique.
+constexpr EffectSet kShadingEffects = {Effect::MultipleLights, Effect::LocalLights,
+                                       Effect::NormalMaps, Effect::Emission};
+
+class ShadowMaps {
+ public:
+  /// Fits the lights and creates the depth map, one layer a view. `depthStep`: coarsest step of the
+  /// formats that lookups read. Tells the scene view.
+  ShadowMaps(const Context& context, float depthStep);
+
+  const std::vector<LightView>& views() const { return m_views; }
+  uint32_t size() const { return m_size; }
+  uint32_t layers() const { return m_layers; }
+  rhi::Format depthFormat() const { return m_depthFormat; }
+  const rhi::Texture& depth() const { return m_depth; }
+  rhi::SamplerId pointSampler() const { return m_pointSampler; }
+
+  /// Constants 16..18 of light_space.glsl from the knobs.
+  static std::vector<rhi::SpecConstant> constants(const Knobs& knobs);
+  /// Depth-only pipeline of casters; add what differs. `surface`: with uvs and textures.
+  rhi::GraphicsPipelineDesc casterPipeline(const Context& context, const std::string& label,
+                                           const std::string& fragment, bool masked) const;
+  /// Bindings of a light pass: the pass block of one view.
+  rhi::Binding passBlock(size_t view) const;
+  /// Attachment of one view's layer.
+  rhi::DepthAttachment depthAttachment(const LightView& view) const;
+  /// Draw lists of a view's casters: positions only, and with attributes.
+  DrawList& plain(size_t view) { return m_plain[view]; }
+  DrawList& surfaces(size_t view) { return m_surfaces[view]; }
+
+ private:
+  uint32_t m_size = 0;
+  uint32_t m_layers = 0;
+  rhi::Format m_depthFormat = rhi::Format::D32Float;
+  std::vector<LightView> m_views;
+  rhi::Texture m_depth;
+  rhi::Buffer m_passBlocks;
+  uint64_t m_passStride = 256;
+  rhi::Sampler m_pointSampler;
+  std::vector<DrawList> m_plain, m_surfaces;
+};
+
+/// Smallest step of depth that a format tells apart near 1.
+float depthStep(rhi::Format format);
+
+}  // namespace sb

@@ -1,0 +1,80 @@
+#include "techniques/common/visibility_buffer.h"
+
+#include <cstring>
+
+#include "shaders/common/shared_slots.h"
+#include "shaders/common/shared_types.h"
+
+namespace sb {
+
+VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& camera)
+    : m_context(context), m_camera(camera) {
+  rhi::Device& device = context.device;
+  const auto [width, height] = context.view.size();
+  using U = rhi::TextureUse;
+  auto texture = [&](const char* label, rhi::Format format, U use) {
+    return device.createTexture({.label = label,
+                                 .format = format,
+                                 .width = width,
+                                 .height = height,
+                                 .use = use | U::Sampled | U::CopySource});
+  };
+  m_target = texture("visibility target", rhi::Format::RGBA32Float, U::ColorTarget);
+  m_opaqueDepth = texture("visibility opaque depth", rhi::Format::D32Float, U::DepthTarget);
+  for (auto& depth : m_layerDepth)
+    depth = texture("visibility layer depth", rhi::Format::D32Float, U::DepthTarget);
+  m_pass = device.createBuffer({.label = "visibility pass",
+                                .size = 16,
+                                .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
+  m_sampler = device.createSampler({.label = "visibility sampler", .filter = rhi::Filter::Nearest});
+  rhi::GraphicsPipelineDesc desc = camera.surfacePipeline("visibility", "visibility.frag", false);
+  desc.targets = {{.format = rhi::Format::RGBA32Float}};
+  m_pipeline = context.pipelines.get(desc);
+}
+
+std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
+  std::vector<VisibilityImage> images;
+  for (uint32_t layer = 0; layer <= kLayers; ++layer) images.push_back(renderLayer(light, layer));
+  return images;
+}
+
+VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
+  const SceneView& view = m_context.view;
+  const rhi::TextureId depth = layer == 0 ? m_opaqueDepth.id() : m_layerDepth[layer % 2].id();
+  const rhi::TextureId previous = m_layerDepth[(layer + 1) % 2];
+  const uint32_t ids[4] = {light, layer, 0, 0};
+
+  std::vector<rhi::Binding> extra = m_camera.inputs().bindings;
+  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_camera.m_noOrder));
+  extra.push_back(rhi::uniformAt(UNIFORM_PASS, m_pass));
+  // The first passes have no earlier depth; whatever is bound there, they do not read it.
+  const rhi::TextureId unread = view.gpu().textures(0).front().view.texture;
+  extra.push_back(
+      rhi::textureAt(TEXTURE_PREVIOUS_LAYER, layer > 1 ? previous : unread, m_sampler));
+  extra.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY,
+                                 layer > 0 ? m_opaqueDepth.id() : unread, m_sampler));
+  DrawList draws(view, std::move(extra), true);
+
+  std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
+  if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
+  if (layer > 1) reads.push_back(rhi::use(previous, rhi::Access::Sampled));
+  const rhi::ColorAttachment color{.view = {.texture = m_target}};
+  rhi::CommandList& commands = m_context.device.beginFrame();
+  commands.write(m_pass, 0, std::as_bytes(std::span(ids)));
+  {
+    rhi::PassScope scope =
+        commands.beginPass({.label = "visibility",
+                            .colors = std::span(&color, 1),
+                            .depth = rhi::DepthAttachment{.view = {.texture = depth}},
+                            .reads = reads});
+    draws.draw(commands, m_pipeline, view.effects().visibleOpaque);
+    if (layer > 0) draws.draw(commands, m_pipeline, view.effects().visibleTranslucent);
+  }
+  m_context.device.wait(m_context.device.endFrame());
+  const auto bytes = m_context.device.read(m_target);
+  VisibilityImage image(bytes.size() / sizeof(float));
+  std::memcpy(image.data(), bytes.data(), bytes.size());
+  return image;
+}
+
+}  // namespace sb

@@ -1,0 +1,35 @@
+// The visibility buffer of a cell (decision D10): per light, the RGB fraction of light that the
+// technique says arrives at the first four layers of surfaces and at the first opaque one. Never
+// part of a timed frame.
+#pragma once
+
+#include "techniques/common/camera_pass.h"
+
+namespace sb {
+
+/// One layer for one light: width * height * 4 floats, row 0 = bottom row of the picture (clip
+/// y = -1); alpha 1 where a surface is, else all 0.
+using VisibilityImage = std::vector<float>;
+
+class VisibilityBuffer {
+ public:
+  static constexpr uint32_t kLayers = 4;
+
+  VisibilityBuffer(const Context& context, const CameraPass& camera);
+
+  /// Records and reads back. Call between frames. `light`: index among the lights that touch the
+  /// view. Element 0 is the first opaque surface, 1..kLayers the layers from the eye.
+  std::vector<VisibilityImage> render(uint32_t light);
+
+ private:
+  VisibilityImage renderLayer(uint32_t light, uint32_t layer);
+
+  const Context m_context;
+  const CameraPass& m_camera;
+  rhi::Texture m_target, m_opaqueDepth, m_layerDepth[2];
+  rhi::Buffer m_pass;
+  rhi::Sampler m_sampler;
+  rhi::PipelineId m_pipeline;
+};
+
+}  // namespace sb

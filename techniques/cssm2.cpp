@@ -1,0 +1,163 @@
+// Coloured stochastic shadow maps, CSSM2 (McGuire and Enderton, I3D 2011); spec 04. One pass a
+// light: opaque depth into the depth map and into three colour channels, then translucent casters
+// by MIN blending, each channel kept with probability p = alpha (1 - t). N x N x 3 comparisons a
+// receiver. Right in expectation at every receiver; noise falls as 1/N, the filter blurs by N texels.
+#include "shaders/common/shared_slots.h"
+#include "techniques/common/registry.h"
+#include "techniques/common/shadow_maps.h"
+
+namespace sb {
+namespace {
+
+rhi::Format colourFormat(const Knobs& knobs) {
+  if (knobs.is("format", "rgba16")) return rhi::Format::RGBA16Unorm;
+  if (knobs.is("format", "rgb10a2")) return rhi::Format::RGB10A2Unorm;
+  return rhi::Format::RGBA32Float;
+}
+
+class ColouredStochasticShadowMap final : public ShadowTechnique {
+ public:
+  void prepare(const Context& context) override {
+    m_coloured = context.plan.runs(Effect::TranslucentCasters);
+    m_colourFormat = colourFormat(context.knobs);
+    m_maps.emplace(context, m_coloured ? depthStep(m_colourFormat) : 0.0f);
+    if (m_coloured) createColours(context);
+    createPipelines(context);
+    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants.push_back({19, m_coloured});
+  }
+
+  void record(Frame& frame) override {
+    for (size_t i = 0; i < m_maps->views().size(); ++i)
+      if (m_maps->views()[i].layer() >= 0) recordView(frame, i);
+  }
+
+  VisibilityInputs inputs() const override {
+    const rhi::Texture& depth = m_maps->depth();
+    VisibilityInputs inputs{
+        .bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, depth, m_maps->pointSampler())},
+        .reads = {},
+        .constants = m_constants};
+    // Depth alone when there are no channels; the channels alone when there are (they hold it too).
+    const rhi::Texture& read = m_coloured ? m_colours : depth;
+    inputs.bindings.push_back(
+        rhi::textureAt(TEXTURE_TECHNIQUE + 1, read, m_maps->pointSampler()));
+    inputs.reads = {rhi::use(read.id(), rhi::Access::Sampled)};
+    if (m_coloured) inputs.reads.push_back(rhi::use(depth.id(), rhi::Access::Sampled));
+    return inputs;
+  }
+
+  std::vector<std::pair<std::string, rhi::TextureId>> maps() const override {
+    std::vector<std::pair<std::string, rhi::TextureId>> list = {{"depth", m_maps->depth()}};
+    if (m_coloured) list.emplace_back("colours", m_colours);
+    return list;
+  }
+
+ private:
+  void createColours(const Context& context) {
+    const rhi::FormatCaps caps = context.device.formatCaps(m_colourFormat);
+    if (!caps.colorTarget || !caps.blend)
+      throw rhi::Error("CSSM2", "", std::string("the device cannot blend into ") +
+                                        std::string(rhi::formatInfo(m_colourFormat).name));
+    m_colours = context.device.createTexture(
+        {.label = "shadow map colours",
+         .kind = rhi::TextureKind::Tex2DArray,
+         .format = m_colourFormat,
+         .width = m_maps->size(),
+         .height = m_maps->size(),
+         .layers = std::max(1u, m_maps->layers()),
+         .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled |
+                rhi::TextureUse::CopySource});
+  }
+
+  void createPipelines(const Context& context) {
+    bool opaque = false, perforated = false, translucent = false;
+    for (const LightView& view : m_maps->views()) {
+      opaque |= !view.opaque.empty();
+      perforated |= !view.perforated.empty();
+      translucent |= !view.translucent.empty();
+    }
+    auto caster = [&](const char* label, const char* depthOnly, bool masked) {
+      rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(
+          context, label, m_coloured ? "cssm2/opaque.frag" : depthOnly, masked);
+      if (m_coloured) desc.targets = {{.format = m_colourFormat}};
+      return context.pipelines.get(desc);
+    };
+    if (opaque) m_opaque = caster("cssm2 opaque", "", false);
+    if (perforated) m_perforated = caster("cssm2 perforated", "common/masked.frag", true);
+    if (!m_coloured || !translucent) return;
+    rhi::GraphicsPipelineDesc desc =
+        m_maps->casterPipeline(context, "cssm2 translucent", "cssm2/translucent.frag", false);
+    // The nearest translucent layer must not hide the others: depth is tested, never written.
+    desc.depth.write = false;
+    desc.targets = {{.format = m_colourFormat,
+                     .blend = {.enabled = true,
+                               .dstColor = rhi::BlendFactor::One,
+                               .colorOp = rhi::BlendOp::Min,
+                               .dstAlpha = rhi::BlendFactor::One,
+                               .alphaOp = rhi::BlendOp::Min}}};
+    desc.constants.push_back({16, context.knobs.is("numbers", "shared")});
+    m_translucent = context.pipelines.get(desc);
+  }
+
+  void recordView(Frame& frame, size_t i) {
+    const LightView& view = m_maps->views()[i];
+    const rhi::DepthAttachment depth = m_maps->depthAttachment(view);
+    rhi::ColorAttachment colour{.clear = {1, 1, 1, 1}};
+    if (m_coloured) {
+      colour.view = depth.view;
+      colour.view.texture = m_colours;
+    }
+    frame.pass({.label = "shadow map",
+                .colors = std::span(&colour, m_coloured ? 1 : 0),
+                .depth = depth},
+               PassGroup::Shadow, [&](rhi::CommandList& commands) {
+                 DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
+                 plain.draw(commands, m_opaque, view.opaque);
+                 m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+                 if (m_translucent)
+                   m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+               });
+  }
+
+  std::optional<ShadowMaps> m_maps;
+  bool m_coloured = false;
+  rhi::Format m_colourFormat = rhi::Format::Undefined;
+  rhi::Texture m_colours;
+  rhi::PipelineId m_opaque, m_perforated, m_translucent;
+  std::vector<rhi::SpecConstant> m_constants;
+};
+
+std::vector<KnobInfo> knobs() {
+  std::vector<KnobInfo> list = shadowMapKnobs("9");
+  list.push_back({.name = "format",
+                  .help = "of the three depths of a texel",
+                  .fallback = "rgba32f",
+                  .choices = {"rgb10a2", "rgba16", "rgba32f"},
+                  .sweep = {"rgb10a2", "rgba16", "rgba32f"}});
+  list.push_back({.name = "numbers",
+                  .help = "random numbers of the channels: independent, or one shared",
+                  .fallback = "independent",
+                  .choices = {"independent", "shared"}});
+  return list;
+}
+
+REGISTER_TECHNIQUE(
+    ShadowTechnique, ColouredStochasticShadowMap,
+    (TechniqueInfo{.name = "CSSM2",
+                   .folder = "cssm2",
+                   .title = "Coloured stochastic shadow maps, three depths a texel",
+                   .paper = "McGuire, Enderton 2011",
+                   .represents = kShadingEffects |
+                                 EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
+                                           Effect::TranslucentCasters,
+                                           Effect::ColouredTransmission,
+                                           Effect::TexturedTransmission,
+                                           Effect::TranslucentReceivers,
+                                           Effect::TranslucentOverlap},
+                   .knobs = knobs(),
+                   .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
+                   .stochastic = true}));
+
+}  // namespace
+}  // namespace sb

@@ -1,0 +1,107 @@
+// Shadow mapping (Williams 1978) with percentage-closer filtering (Reeves, Salesin, Cook 1987);
+// spec 01. One depth-only pass a light (six for a point light), N x N comparisons a receiver.
+// Hard shadows of opaque casters; texel-sized error at edges; no colour, no penumbra.
+#include "shaders/common/shared_slots.h"
+#include "techniques/common/registry.h"
+#include "techniques/common/shadow_maps.h"
+
+namespace sb {
+namespace {
+
+class ShadowMap final : public ShadowTechnique {
+ public:
+  void prepare(const Context& context) override {
+    m_maps.emplace(context, 0.0f);
+    const bool front = context.knobs.is("cull", "front");
+    m_translucentCast = context.knobs.is("translucent", "opaque");
+    auto pipeline = [&](const char* label, const char* fragment, bool masked) {
+      rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(context, label, fragment, masked);
+      desc.raster.cull = front ? rhi::CullMode::Front : rhi::CullMode::None;
+      return context.pipelines.get(desc);
+    };
+    bool opaque = false, perforated = false;
+    for (const LightView& view : m_maps->views()) {
+      opaque |= !view.opaque.empty() || (m_translucentCast && !view.translucent.empty());
+      perforated |= !view.perforated.empty();
+    }
+    if (opaque) m_opaque = pipeline("shadow map opaque", "", false);
+    if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
+    m_hardware = context.knobs.is("compare", "hardware");
+    m_compareSampler = context.device.createSampler(
+        {.label = "shadow map compare",
+         .filter = context.device.formatCaps(m_maps->depthFormat()).linearFilter
+                       ? rhi::Filter::Linear
+                       : rhi::Filter::Nearest,
+         .addressU = rhi::AddressMode::ClampToBorder,
+         .addressV = rhi::AddressMode::ClampToBorder,
+         .border = rhi::BorderColor::OpaqueWhite,  // outside the map is lit (spec 01, P1)
+         .compare = rhi::CompareOp::LessOrEqual});
+    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants.push_back({19, m_hardware});
+  }
+
+  void record(Frame& frame) override {
+    for (size_t i = 0; i < m_maps->views().size(); ++i) {
+      const LightView& view = m_maps->views()[i];
+      if (view.layer() < 0) continue;
+      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)},
+                 PassGroup::Shadow, [&](rhi::CommandList& commands) {
+                   m_maps->plain(i).draw(commands, m_opaque, view.opaque);
+                   if (m_translucentCast)
+                     m_maps->plain(i).draw(commands, m_opaque, view.translucent);
+                   m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+                 });
+    }
+  }
+
+  VisibilityInputs inputs() const override {
+    return {.bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, m_maps->depth(), m_maps->pointSampler()),
+                         rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_maps->depth(), m_compareSampler)},
+            .reads = {rhi::use(m_maps->depth().id(), rhi::Access::Sampled)},
+            .constants = m_constants};
+  }
+
+  std::vector<std::pair<std::string, rhi::TextureId>> maps() const override {
+    return {{"depth", m_maps->depth()}};
+  }
+
+ private:
+  std::optional<ShadowMaps> m_maps;
+  rhi::PipelineId m_opaque, m_perforated;
+  rhi::Sampler m_compareSampler;
+  bool m_hardware = true;
+  bool m_translucentCast = false;
+  std::vector<rhi::SpecConstant> m_constants;
+};
+
+std::vector<KnobInfo> knobs() {
+  std::vector<KnobInfo> list = shadowMapKnobs("1");
+  list.push_back({.name = "compare",
+                  .help = "2x2 hardware comparison at every tap, or one exact texel a tap",
+                  .fallback = "hardware",
+                  .choices = {"hardware", "manual"}});
+  list.push_back({.name = "cull",
+                  .help = "faces left out of the map: none, or front faces of closed casters",
+                  .fallback = "none",
+                  .choices = {"none", "front"}});
+  list.push_back({.name = "translucent",
+                  .help = "translucent casters cast no shadow, or a full one",
+                  .fallback = "none",
+                  .choices = {"none", "opaque"}});
+  return list;
+}
+
+REGISTER_TECHNIQUE(
+    ShadowTechnique, ShadowMap,
+    (TechniqueInfo{.name = "ShadowMap",
+                   .folder = "shadow_map",
+                   .title = "Shadow mapping with percentage-closer filtering",
+                   .paper = "Williams 1978; Reeves, Salesin, Cook 1987",
+                   .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters,
+                                                             Effect::PerforatedCasters},
+                   .knobs = knobs(),
+                   .error = "translucent casters cast all or nothing; edges move by half a texel; "
+                            "the filter blurs, it makes no penumbra"}));
+
+}  // namespace
+}  // namespace sb

@@ -1,0 +1,80 @@
+// Who may include whom (design, section 1): folders below the root, and what each may see.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Longest matching folder counts. Every folder may include itself; an entry may name a file prefix.
+const std::map<std::string, std::vector<std::string>> kAllowed = {
+    {"backends/rhi", {}},
+    {"backends/shader", {"backends/rhi"}},
+    {"backends/vulkan", {"backends/rhi", "backends/shader"}},
+    {"backends/opengl", {"backends/rhi", "backends/shader"}},
+    {"backends/null", {"backends/rhi", "backends/shader"}},
+    {"reports", {}},
+    {"shaders/common", {}},
+    {"techniques", {"backends/rhi", "shaders/common/shared_"}},
+    {"suites/scenes", {"techniques/common"}},
+    {"suites/truth", {"techniques/common"}},
+    {"suites/metrics", {"reports"}},
+    {"suites/harness",
+     {"suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports", "backends/rhi"}},
+    {"suites/cli",
+     {"suites/harness", "suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports",
+      "backends/rhi", "backends/shader", "backends/vulkan/vk_backend.h",
+      "backends/opengl/gl_backend.h", "backends/null/null_backend.h"}},
+};
+
+/// Headers of the graphics APIs, which only their backend may see.
+const std::regex kApiHeader("vulkan|volk|GL/|EGL/|GLES|osmesa|epoxy", std::regex::icase);
+
+const std::pair<const std::string, std::vector<std::string>>* ruleOf(const std::string& file) {
+  const std::pair<const std::string, std::vector<std::string>>* best = nullptr;
+  for (const auto& rule : kAllowed)
+    if (file.starts_with(rule.first + "/") && (!best || rule.first.size() > best->first.size()))
+      best = &rule;
+  return best;
+}
+
+TEST(IncludeRules, FoldersIncludeOnlyWhatTheDesignAllows) {
+  const fs::path root = SHADOWBENCH_SOURCE_DIR;
+  const std::regex include("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]");
+  int files = 0, checked = 0;
+  for (const char* top : {"backends", "techniques", "shaders", "suites", "reports"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string file = fs::relative(entry.path(), root);
+      const auto* rule = ruleOf(file);
+      ASSERT_NE(rule, nullptr) << file << " lies in a folder without a rule";
+      ++files;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, include)) continue;
+        const std::string target = match[2];
+        const bool isBackend = file.starts_with("backends/vulkan/") || file.starts_with("backends/opengl/");
+        if (match[1] == "<") {
+          EXPECT_TRUE(isBackend || !std::regex_search(target, kApiHeader))
+              << file << " includes <" << target << ">";
+          continue;
+        }
+        ++checked;
+        bool allowed = target.starts_with(rule->first + "/");
+        for (const std::string& prefix : rule->second) allowed |= target.starts_with(prefix);
+        EXPECT_TRUE(allowed) << file << " may not include \"" << target << "\"";
+      }
+    }
+  EXPECT_GT(files, 100);
+  EXPECT_GT(checked, 300);
+}
+
+}  // namespace
