@@ -28,8 +28,9 @@ const char* typeName(GLenum type) {
 void APIENTRY onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
                         const GLchar* text, const void* user) {
   // Notifications are chatter by definition: groups entered and left (our own), where NVIDIA put a
-  // buffer. Everything else is reported.
-  if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+  // buffer. Everything else but performance is reported.
+  // Hints (llvmpipe tells of every shader variant it compiles) are no defects.
+  if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
   auto* device = const_cast<rhi::Device*>(static_cast<const rhi::Device*>(user));
   device->report({.source = "opengl",
                   .rule = std::string(typeName(type)) + " " + std::to_string(id),

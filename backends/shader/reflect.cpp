@@ -135,7 +135,9 @@ void reflect(rhi::ShaderCode& code) {
   spvc_compiler_options_set_uint(options, SPVC_COMPILER_OPTION_GLSL_VERSION, 450);
   spvc_compiler_options_set_bool(options, SPVC_COMPILER_OPTION_GLSL_ES, SPVC_FALSE);
   spvc_compiler_install_compiler_options(compiler, options);
-  // A vertex shader that picks the layer needs this extension named (facts.md).
+  // A vertex shader that picks the layer needs this extension named (facts.md). Which built-ins are
+  // active is not known before it is asked for.
+  spvc_compiler_update_active_builtins(compiler);
   if (code.stage == rhi::ShaderStage::Vertex &&
       spvc_compiler_has_active_builtin(compiler, SpvBuiltInLayer, SpvStorageClassOutput))
     spvc_compiler_require_extension(compiler, "GL_ARB_shader_viewport_layer_array");

@@ -48,7 +48,9 @@ void regionBounds(const TransferCheck& c, const Emit& emit) {
   };
   if (r.mip >= d.mips || r.layer >= layers || !inside(r.x, r.width, width) ||
       !inside(r.y, r.height, height))
-    emit(std::string(c.call) + ": the region is outside texture '" + d.label + "'");
+    emit(std::string(c.call) + ": the region (mip " + std::to_string(r.mip) + ", layer " +
+         std::to_string(r.layer) + ", at " + std::to_string(r.x) + "," + std::to_string(r.y) +
+         ") is outside texture '" + d.label + "'");
   if (d.samples > 1)
     emit(std::string(c.call) + ": texture '" + d.label + "' is multisampled; resolve it first");
 }

@@ -1,0 +1,7 @@
+#version 450
+layout(location = 0) in vec4 vertexColor;
+layout(location = 0) out vec4 color;
+void main() {
+  color = vertexColor;
+  gl_SampleMask[0] = int(gl_FragCoord.x) & 15;
+}
