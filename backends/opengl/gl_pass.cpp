@@ -6,17 +6,6 @@
 #include "backends/opengl/gl_debug.h"
 
 namespace opengl {
-namespace {
-
-/// A clear value for an integer format. It saturates: 0xFFFFFFFF, the end of every list, rounds up
-/// to 2^32 as a float.
-template <class T>
-T integer(float value) {
-  return T(std::clamp(double(value), double(std::numeric_limits<T>::min()),
-                      double(std::numeric_limits<T>::max())));
-}
-
-}  // namespace
 
 void CommandList::doBeginPass(const rhi::PassDesc& desc) {
   const Functions& gl = m_context.use();
@@ -59,14 +48,14 @@ void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
     const rhi::Format format = m_objects.textures.get(color.view.texture).desc().format;
     switch (rhi::formatInfo(format).kind) {
       case rhi::FormatKind::Uint: {
-        const GLuint value[] = {integer<GLuint>(c[0]), integer<GLuint>(c[1]), integer<GLuint>(c[2]),
-                                integer<GLuint>(c[3])};
+        const GLuint value[] = {rhi::integerClear<GLuint>(c[0]), rhi::integerClear<GLuint>(c[1]), rhi::integerClear<GLuint>(c[2]),
+                                rhi::integerClear<GLuint>(c[3])};
         gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }
       case rhi::FormatKind::Sint: {
-        const GLint value[] = {integer<GLint>(c[0]), integer<GLint>(c[1]), integer<GLint>(c[2]),
-                               integer<GLint>(c[3])};
+        const GLint value[] = {rhi::integerClear<GLint>(c[0]), rhi::integerClear<GLint>(c[1]), rhi::integerClear<GLint>(c[2]),
+                               rhi::integerClear<GLint>(c[3])};
         gl.ClearNamedFramebufferiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }

@@ -57,7 +57,7 @@ void QueryPool::begin(uint32_t index) {
     m_gl->BeginQuery(m_targets[i], m_names[index * m_targets.size() + i].get());
 }
 
-void QueryPool::end(uint32_t index) {
+void QueryPool::end(uint32_t) {
   assert(m_desc.kind != rhi::QueryKind::Timestamp && index < m_desc.count);
   for (GLenum target : m_targets) m_gl->EndQuery(target);
 }

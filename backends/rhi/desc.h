@@ -2,6 +2,7 @@
 // initialisers. `label` is required wherever it exists: it reaches the debuggers and the reports.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -198,6 +199,14 @@ struct PassDesc {
   std::span<const ResourceUse> writes = {};
   Extent2D extent = {};  ///< needed without attachments (list builds)
 };
+
+/// A clear value for an integer format. It saturates: 0xFFFFFFFF, the end of every list, rounds up to
+/// 2^32 as a float.
+template <class T>
+T integerClear(float value) {
+  return T(std::clamp(double(value), double(std::numeric_limits<T>::min()),
+                      double(std::numeric_limits<T>::max())));
+}
 
 // ---- draws ----------------------------------------------------------------------------------
 

@@ -45,10 +45,10 @@ VkClearColorValue clearOf(const std::array<float, 4>& value, rhi::Format format)
   VkClearColorValue clear = {};
   for (int i = 0; i < 4; ++i) switch (rhi::formatInfo(format).kind) {
       case rhi::FormatKind::Uint:
-        clear.uint32[i] = uint32_t(value[i]);
+        clear.uint32[i] = rhi::integerClear<uint32_t>(value[i]);
         break;
       case rhi::FormatKind::Sint:
-        clear.int32[i] = int32_t(value[i]);
+        clear.int32[i] = rhi::integerClear<int32_t>(value[i]);
         break;
       default:
         clear.float32[i] = value[i];
