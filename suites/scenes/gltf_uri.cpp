@@ -94,8 +94,9 @@ std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
     if (!bytes) source.fail(field, shown(uri) + " holds invalid base64");
     return *std::move(bytes);
   }
+  const std::filesystem::path path = uriPath(source, field, uri);
   try {
-    return readWholeFile(uriPath(source, field, uri), kMaxFileBytes);
+    return readWholeFile(path, kMaxFileBytes);
   } catch (const InputError& error) {
     source.fail(field, error.what());
   }

@@ -23,9 +23,7 @@ Scene make(const ParamValues& p) {
               lookFrom(hung, hung - glm::dvec3(-0.35, 0, 1)));
   addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {4.0f, 4.0f})),
               lookFrom(wall, wall - glm::dvec3(-0.3, 0, 1)));
-  Light sun = sunLight({1.2, -0.05, -1}, glm::radians(p.find("sun")->second));
-  sun.intensity *= 1.3f;  // deep glass lets little through
-  scene.lights.push_back(sun);
+  scene.lights.push_back(sunLight({1.2, -0.05, -1}, glm::radians(p.find("sun")->second)));
 
   Camera camera;
   camera.name = "view";
