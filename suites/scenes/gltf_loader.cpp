@@ -36,6 +36,7 @@ void complete(GltfContext& context) {
     scene.lights.push_back(defaultLight());
     context.warn("the file shows no light; a white directional one was added");
   }
+  for (size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = uint32_t(i);
 }
 
 }  // namespace

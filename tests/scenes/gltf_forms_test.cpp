@@ -136,6 +136,7 @@ TEST_F(GltfForms, LightsCamerasMediaAndExtras) {
   EXPECT_NEAR(glm::length(light.direction - glm::dvec3(0, -1, 0)), 0, 1e-12);
   EXPECT_EQ(light.position, glm::dvec3(0, 4, 0));
   EXPECT_EQ(light.radius, 0.25);
+  EXPECT_EQ(light.key, 0u);
   EXPECT_EQ(light.range, 9);
   EXPECT_NEAR(light.outerCone, 0.3, 1e-12);
   ASSERT_EQ(scene.cameras.size(), 2u);
