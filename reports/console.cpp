@@ -19,7 +19,7 @@ std::string milliseconds(const std::optional<Distribution>& d) {
 
 std::string ratio(const Record& r, const std::string& technique) {
   for (const Ratio& x : r.ratios)
-    if (x.against.starts_with(technique + "/"))
+    if (x.against.starts_with(technique + "/" + r.backend + "/"))
       return fmt::format("{:.2f} [{:.2f},{:.2f}]", x.value, x.low, x.high);
   return "-";
 }

@@ -26,18 +26,17 @@ class ShadowMap final : public ShadowTechnique {
     }
     if (opaque) m_opaque = pipeline("shadow map opaque", "", false);
     if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
-    m_hardware = context.knobs.is("compare", "hardware");
+    const bool filters = context.device.formatCaps(m_maps->depthFormat()).linearFilter;
     m_compareSampler = context.device.createSampler(
         {.label = "shadow map compare",
-         .filter = context.device.formatCaps(m_maps->depthFormat()).linearFilter
-                       ? rhi::Filter::Linear
-                       : rhi::Filter::Nearest,
+         .filter = filters ? rhi::Filter::Linear : rhi::Filter::Nearest,
          .addressU = rhi::AddressMode::ClampToBorder,
          .addressV = rhi::AddressMode::ClampToBorder,
          .border = rhi::BorderColor::OpaqueWhite,  // outside the map is lit (spec 01, P1)
          .compare = rhi::CompareOp::LessOrEqual});
     m_constants = ShadowMaps::constants(context.knobs);
-    m_constants.push_back({19, m_hardware});
+    m_constants.push_back({19, context.knobs.is("compare", "hardware")});
+    m_constants.push_back({20, !filters});
   }
 
   void record(Frame& frame) override {
@@ -69,7 +68,6 @@ class ShadowMap final : public ShadowTechnique {
   std::optional<ShadowMaps> m_maps;
   rhi::PipelineId m_opaque, m_perforated;
   rhi::Sampler m_compareSampler;
-  bool m_hardware = true;
   bool m_translucentCast = false;
   std::vector<rhi::SpecConstant> m_constants;
 };
@@ -77,7 +75,8 @@ class ShadowMap final : public ShadowTechnique {
 std::vector<KnobInfo> knobs() {
   std::vector<KnobInfo> list = shadowMapKnobs("1");
   list.push_back({.name = "compare",
-                  .help = "2x2 hardware comparison at every tap, or one exact texel a tap",
+                  .help = "2x2 hardware comparison at every tap (in the shader where the device "
+                          "filters no depth), or one exact texel a tap",
                   .fallback = "hardware",
                   .choices = {"hardware", "manual"}});
   list.push_back({.name = "cull",

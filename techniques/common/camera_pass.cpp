@@ -44,12 +44,20 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
   const Scene& scene = context.view.scene();
   for (uint32_t i : context.view.effects().visibleOpaque) {
     const Material& material = scene.materials[scene.meshes[scene.instances[i].mesh].material];
-    (material.alphaMode == AlphaMode::Mask ? m_maskedInstances : m_opaqueInstances).push_back(i);
+    const bool masked = material.alphaMode == AlphaMode::Mask;
+    auto bucket = std::ranges::find_if(m_buckets, [&](const Bucket& b) {
+      return b.masked == masked && b.doubleSided == material.doubleSided;
+    });
+    if (bucket == m_buckets.end())
+      bucket = m_buckets.insert(bucket, {.masked = masked, .doubleSided = material.doubleSided});
+    bucket->instances.push_back(i);
   }
-  if (!m_opaqueInstances.empty())
-    m_opaque = context.pipelines.get(surfacePipeline("opaque", "forward.frag", false));
-  if (!m_maskedInstances.empty())
-    m_masked = context.pipelines.get(surfacePipeline("masked", "forward.frag", true));
+  for (Bucket& bucket : m_buckets) {
+    rhi::GraphicsPipelineDesc desc =
+        surfacePipeline(bucket.masked ? "masked" : "opaque", "forward.frag", bucket.masked);
+    desc.raster.cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
+    bucket.pipeline = context.pipelines.get(desc);
+  }
   if (transparency && context.plan.runs(Effect::CameraTransparency)) {
     m_transparency = transparency->make();
     m_transparency->prepare(context, *this);
@@ -94,8 +102,8 @@ void CameraPass::recordOpaque(Frame& frame) {
               .depth = rhi::DepthAttachment{.view = {.texture = m_depth}},
               .reads = m_inputs.reads},
              PassGroup::Scene, [&](rhi::CommandList& commands) {
-               if (m_opaque) m_drawList.draw(commands, m_opaque, m_opaqueInstances);
-               if (m_masked) m_drawList.draw(commands, m_masked, m_maskedInstances);
+               for (const Bucket& b : m_buckets)
+                 m_drawList.draw(commands, b.pipeline, b.instances);
              });
 }
 

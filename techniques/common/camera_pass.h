@@ -39,13 +39,20 @@ class CameraPass {
   friend class VisibilityBuffer;
   rhi::GraphicsPipelineDesc surfacePipeline(const std::string& label, const std::string& fragment,
                                             bool masked) const;
+  /// Opaque instances that share a pipeline. Single-sided materials show no back faces (glTF); to
+  /// light they are two-sided all the same.
+  struct Bucket {
+    bool masked = false;
+    bool doubleSided = false;
+    std::vector<uint32_t> instances;
+    rhi::PipelineId pipeline;
+  };
 
   const Context m_context;
   std::string m_folder;
   VisibilityInputs m_inputs;
   rhi::Texture m_color, m_depth;
-  rhi::PipelineId m_opaque, m_masked;
-  std::vector<uint32_t> m_opaqueInstances, m_maskedInstances;
+  std::vector<Bucket> m_buckets;
   rhi::Buffer m_noOrder;
   DrawList m_drawList;
   std::unique_ptr<TransparencyTechnique> m_transparency;

@@ -29,7 +29,9 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
   m_sampler = device.createSampler({.label = "visibility sampler", .filter = rhi::Filter::Nearest});
   rhi::GraphicsPipelineDesc desc = camera.surfacePipeline("visibility", "visibility.frag", false);
   desc.targets = {{.format = rhi::Format::RGBA32Float}};
-  m_pipeline = context.pipelines.get(desc);
+  m_doubleSided = context.pipelines.get(desc);
+  desc.raster.cull = rhi::CullMode::Back;
+  m_singleSided = context.pipelines.get(desc);
 }
 
 std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
@@ -67,8 +69,9 @@ VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
                             .colors = std::span(&color, 1),
                             .depth = rhi::DepthAttachment{.view = {.texture = depth}},
                             .reads = reads});
-    draws.draw(commands, m_pipeline, view.effects().visibleOpaque);
-    if (layer > 0) draws.draw(commands, m_pipeline, view.effects().visibleTranslucent);
+    for (const CameraPass::Bucket& b : m_camera.m_buckets)
+      draws.draw(commands, b.doubleSided ? m_doubleSided : m_singleSided, b.instances);
+    if (layer > 0) draws.draw(commands, m_doubleSided, view.effects().visibleTranslucent);
   }
   m_context.device.wait(m_context.device.endFrame());
   const auto bytes = m_context.device.read(m_target);

@@ -29,7 +29,7 @@ class VisibilityBuffer {
   rhi::Texture m_target, m_opaqueDepth, m_layerDepth[2];
   rhi::Buffer m_pass;
   rhi::Sampler m_sampler;
-  rhi::PipelineId m_pipeline;
+  rhi::PipelineId m_singleSided, m_doubleSided;
 };
 
 }  // namespace sb
