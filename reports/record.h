@@ -32,6 +32,7 @@ struct PassRecord {
 
 /// This cell's time over another's, pairwise over interleaved blocks.
 struct Ratio {
+  std::string kind;     ///< "baseline": the same without shadows; "backend": the same elsewhere
   std::string against;  ///< name of the other cell
   std::string of;       ///< which time: "cpu_ms", "frame_ms"
   double value = 1;     ///< median of the ratios

@@ -29,6 +29,7 @@ report::Ratio ratioOf(const Measured& a, const Measured& b) {
   const bool software = a.software && b.software;
   report::Ratio ratio =
       report::pairedRatio(blockMeans(*a.samples, software), blockMeans(*b.samples, software));
+  ratio.kind = a.result->id.backend == b.result->id.backend ? "baseline" : "backend";
   ratio.against = b.result->record.name;
   ratio.of = software ? "cpu_ms" : "frame_ms";
   return ratio;
