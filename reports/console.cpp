@@ -16,6 +16,12 @@ using Row = std::array<std::string, kColumns>;
 const Row kHeader = {"cell",      "frame ms", "CPU ms",       "±",   "x none [95 %]", "x other API",
                      "shadow ms", "scene ms", "passes/draws", "MiB", "picture"};
 
+/// Drivers' texts have line breaks.
+std::string oneLine(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
 std::string milliseconds(const std::optional<double>& ms) {
   return ms ? fmt::format("{:.2f}", *ms) : "-";
 }
@@ -31,7 +37,7 @@ std::string ratio(const Record& r, const std::string& kind) {
 }
 
 std::string verified(const Record& r) {
-  if (r.status != Status::Ok) return std::string(statusName(r.status)) + ": " + r.reason;
+  if (r.status != Status::Ok) return std::string(statusName(r.status)) + ": " + oneLine(r.reason);
   std::string text = "stable";
   if (r.crossBackendOver1.value_or(0) > 0)
     text += fmt::format(", APIs DIFFER: {} px, {}/255", *r.crossBackendOver1,
@@ -110,7 +116,7 @@ std::string legend(const Run& run) {
 /// The same words of several cells stand once.
 std::string warnings(const Run& run) {
   std::string out;
-  for (const std::string& w : run.warnings) out += "warning: " + w + "\n";
+  for (const std::string& w : run.warnings) out += "warning: " + oneLine(w) + "\n";
   std::vector<std::pair<std::string, std::vector<std::string>>> byText;
   auto add = [&](const std::string& text, const std::string& name) {
     auto found = std::ranges::find(byText, text, [](const auto& e) { return e.first; });
@@ -119,7 +125,7 @@ std::string warnings(const Run& run) {
   };
   for (const Record& r : run.records) {
     for (const std::string& c : r.contamination) add("contaminated, in no ratio: " + c, r.name);
-    for (const std::string& w : r.warnings) add(w, r.name);
+    for (const std::string& w : r.warnings) add(oneLine(w), r.name);
   }
   for (const auto& [text, names] : byText)
     out += names.size() == 1 ? fmt::format("warning: {}: {}\n", names.front(), text)
