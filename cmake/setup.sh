@@ -3,14 +3,15 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build"
 
+# What nothing else in the list depends on. ccache and mold are used where present.
 packages=(
-  cmake g++ ninja-build pkg-config ccache
-  glslang-dev glslang-tools libspirv-cross-c-shared-dev spirv-headers spirv-tools
-  libvulkan-dev libvulkan-volk-dev libvulkan1 mesa-vulkan-drivers vulkan-validationlayers
-  libegl-dev libegl1 libegl-mesa0 libgl-dev libgl1-mesa-dri libosmesa6
-  libbenchmark-dev libbenchmark-tools libcli11-dev libfmt-dev libglm-dev libgtest-dev
+  cmake g++ ninja-build pkg-config
+  glslang-dev glslang-tools libspirv-cross-c-shared-dev
+  libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers vulkan-validationlayers
+  libegl-dev libgl1-mesa-dri libosmesa6-dev
+  libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
   libstb-dev libtinyexr-dev libtinygltf-dev nlohmann-json3-dev
-  python3 python3-scipy
+  libbenchmark-tools python3-scipy # compare.py, and the tests that run it
 )
 
 say() { printf '%s\n' "$*" >&2; }
@@ -20,6 +21,7 @@ setup_packages() { # $1: yes or no, may install
   want=$(printf '%s\n' "${packages[@]}")
   [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$want" ] && return 0
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    [ -f "$build/build.ninja" ] && return 0
     say "This is no Debian system. ShadowBench needs what these Debian 12 packages hold:"
     printf '  %s\n' "${packages[@]}" >&2
     return 0
@@ -56,6 +58,8 @@ setup_build() { # arguments: targets
     (cd "$root" && cmake --preset release -DSHADOWBENCH_WERROR=$werror) >"$log" 2>&1 ||
       { cat "$log" >&2; return 1; }
   fi
-  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then say "Building"; fi
+  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+    say "Building (several minutes the first time; $build/build.log)"
+  fi
   ninja -C "$build" "$@" >"$build/build.log" 2>&1 || { cat "$build/build.log" >&2; return 1; }
 }

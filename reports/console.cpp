@@ -5,81 +5,140 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace report {
 namespace {
 
-using Row = std::array<std::string, 9>;
+constexpr size_t kColumns = 11;
+using Row = std::array<std::string, kColumns>;
 
-std::string milliseconds(const std::optional<Distribution>& d) {
-  if (!d) return "-";
-  return fmt::format("{:.2f} ±{:.0f}%", d->median,
-                     d->median > 0 ? 50 * (d->q3 - d->q1) / d->median : 0.0);
+const Row kHeader = {"cell",      "frame ms", "CPU ms",       "±",   "x none [95 %]", "x other API",
+                     "shadow ms", "scene ms", "passes/draws", "MiB", "picture"};
+
+/// Drivers' texts have line breaks.
+std::string oneLine(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
 }
 
-std::string ratio(const Record& r, const std::string& technique) {
+std::string milliseconds(const std::optional<double>& ms) {
+  return ms ? fmt::format("{:.2f}", *ms) : "-";
+}
+
+std::string median(const std::optional<Distribution>& d) {
+  return d ? fmt::format("{:.2f}", d->median) : "-";
+}
+
+std::string ratio(const Record& r, const std::string& kind) {
   for (const Ratio& x : r.ratios)
-    if (x.against.starts_with(technique + "/" + r.backend + "/"))
-      return fmt::format("{:.2f} [{:.2f},{:.2f}]", x.value, x.low, x.high);
+    if (x.kind == kind) return fmt::format("{:.2f} [{:.2f},{:.2f}]", x.value, x.low, x.high);
   return "-";
 }
 
 std::string verified(const Record& r) {
-  if (r.status != Status::Ok) return std::string(statusName(r.status));
+  if (r.status != Status::Ok) return std::string(statusName(r.status)) + ": " + oneLine(r.reason);
   std::string text = "stable";
-  if (r.crossBackendMax255) text += fmt::format(", {}/255", *r.crossBackendMax255);
+  if (r.crossBackendOver1.value_or(0) > 0)
+    text += fmt::format(", APIs DIFFER: {} px, {}/255", *r.crossBackendOver1,
+                        r.crossBackendMax255.value_or(0));
+  else if (r.crossBackendMax255)
+    text += fmt::format(", {}/255", *r.crossBackendMax255);
+  if (!r.contamination.empty()) text += ", CONTAMINATED";
   return text;
 }
 
-Row row(const Record& r) {
-  if (r.status != Status::Ok)
-    return {r.name, "-", "-", "-", "-", "-", "-", "-", verified(r) + ": " + r.reason};
-  return {r.name,
-          milliseconds(r.frame),
-          milliseconds(r.cpu),
-          ratio(r, "none"),
-          r.shadowMs ? fmt::format("{:.2f}", *r.shadowMs) : "-",
-          r.sceneMs ? fmt::format("{:.2f}", *r.sceneMs) : "-",
-          fmt::format("{}/{}", r.passCount, r.drawCount),
-          fmt::format("{:.1f}", double(r.bytes) / (1 << 20)),
-          verified(r)};
+Row rowOf(const Record& r) {
+  Row row;
+  row.fill("-");
+  row.front() = r.name;
+  row.back() = verified(r);
+  if (r.status != Status::Ok) return row;
+  row[1] = median(r.frame);
+  row[2] = median(r.cpu);
+  if (r.precision) row[3] = fmt::format("{:.0f}%", 100 * *r.precision);
+  row[4] = ratio(r, "baseline");
+  row[5] = ratio(r, "backend");
+  row[6] = milliseconds(r.shadowMs);
+  row[7] = milliseconds(r.sceneMs);
+  row[8] = fmt::format("{}/{}", r.passCount, r.drawCount);
+  row[9] = fmt::format("{:.1f}", double(r.bytes) / (1 << 20));
+  return row;
+}
+
+/// UTF-8: what is seen, not bytes.
+size_t seen(const std::string& text) {
+  return size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string lines(const std::vector<Row>& rows) {
+  std::array<size_t, kColumns> widths{};
+  for (const Row& r : rows)
+    for (size_t i = 0; i + 1 < kColumns; ++i) widths[i] = std::max(widths[i], seen(r[i]));
+  std::string out;
+  for (const Row& row : rows) {
+    for (size_t i = 0; i < kColumns; ++i) {
+      const std::string pad(widths[i] > seen(row[i]) ? widths[i] - seen(row[i]) : 0, ' ');
+      out += (i ? "  " : "") + (i == 0 || i + 1 == kColumns ? row[i] + pad : pad + row[i]);
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+/// What the figures are and where they come from.
+std::string legend(const Run& run) {
+  std::set<std::string> sources, devices;
+  size_t ok = 0, byBudget = 0;
+  for (const Record& r : run.records) {
+    if (r.status != Status::Ok) continue;
+    devices.insert(
+        fmt::format("{}: {} ({}), driver {}", r.backend, r.device, r.deviceType, r.driver));
+    sources.insert(r.timeSource);
+    ++ok;
+    byBudget += r.stoppedBy == "budget";
+  }
+  std::string out;
+  for (const std::string& d : devices) out += d + "\n";
+  if (sources.contains("software"))
+    out += "Software devices: frame = wall time to completion, CPU = time of all threads; ± and the "
+           "ratios are of CPU time. These figures say nothing about graphics hardware.\n";
+  if (sources.contains("gpu-timestamp"))
+    out += "Frame times are GPU timestamps; ± and the ratios are of them.\n";
+  if (sources.contains("wall"))
+    out += "Frame times are wall times to completion: the device has no timestamps.\n";
+  if (byBudget > 0)
+    out += fmt::format("{} of {} cells stopped by the budget before the precision asked for.\n",
+                       byBudget, ok);
+  return out;
+}
+
+/// The same words of several cells stand once.
+std::string warnings(const Run& run) {
+  std::string out;
+  for (const std::string& w : run.warnings) out += "warning: " + oneLine(w) + "\n";
+  std::vector<std::pair<std::string, std::vector<std::string>>> byText;
+  auto add = [&](const std::string& text, const std::string& name) {
+    auto found = std::ranges::find(byText, text, [](const auto& e) { return e.first; });
+    if (found == byText.end()) found = byText.insert(byText.end(), {text, {}});
+    found->second.push_back(name);
+  };
+  for (const Record& r : run.records) {
+    for (const std::string& c : r.contamination) add("contaminated, in no ratio: " + c, r.name);
+    for (const std::string& w : r.warnings) add(oneLine(w), r.name);
+  }
+  for (const auto& [text, names] : byText)
+    out += names.size() == 1 ? fmt::format("warning: {}: {}\n", names.front(), text)
+                             : fmt::format("warning: {} cells: {}\n", names.size(), text);
+  return out;
 }
 
 }  // namespace
 
 std::string toTable(const Run& run) {
-  std::vector<Row> rows = {{"cell", "frame ms", "CPU ms", "x none (95 %)", "shadow ms", "scene ms",
-                            "passes/draws", "MiB", "picture"}};
-  for (const Record& r : run.records) rows.push_back(row(r));
-  std::array<size_t, 9> widths{};
-  for (const Row& r : rows)
-    for (size_t i = 0; i + 1 < r.size(); ++i) widths[i] = std::max(widths[i], r[i].size());
-  std::string out;
-  for (size_t line = 0; line < rows.size(); ++line) {
-    for (size_t i = 0; i < rows[line].size(); ++i) {
-      const std::string& cell = rows[line][i];
-      // UTF-8: pad by what is seen, not by bytes.
-      const size_t seen = size_t(std::ranges::count_if(cell, [](char c) { return (c & 0xC0) != 0x80; }));
-      const std::string pad(widths[i] > seen && i + 1 < rows[line].size() ? widths[i] - seen : 0, ' ');
-      out += (i ? "  " : "") + (i == 0 || i + 1 == rows[line].size() ? cell + pad : pad + cell);
-    }
-    out += "\n";
-  }
-  std::set<std::string> sources, devices;
-  for (const Record& r : run.records)
-    if (r.status == Status::Ok) {
-      devices.insert(fmt::format("{}: {} ({}), driver {}", r.backend, r.device, r.deviceType, r.driver));
-      sources.insert(r.timeSource);
-    }
-  for (const std::string& d : devices) out += d + "\n";
-  if (sources.contains("software"))
-    out += "Times of software devices are wall time to completion and CPU time of all threads; the "
-           "ratios are of CPU time. They are not GPU times.\n";
-  if (sources.contains("gpu-timestamp")) out += "Frame times are GPU timestamps.\n";
-  for (const std::string& w : run.warnings) out += "warning: " + w + "\n";
-  for (const Record& r : run.records)
-    for (const std::string& w : r.warnings) out += "warning: " + r.name + ": " + w + "\n";
-  return out;
+  std::vector<Row> rows = {kHeader};
+  for (const Record& r : run.records) rows.push_back(rowOf(r));
+  return lines(rows) + legend(run) + warnings(run);
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <type_traits>
 
 namespace report {
 namespace {
@@ -32,7 +33,34 @@ struct Column {
 
 template <class T>
 std::string optionalNumber(const std::optional<T>& value) {
-  return value ? number(double(*value)) : "";
+  if (!value) return "";
+  if constexpr (std::is_integral_v<T>) return std::to_string(*value);
+  else return number(double(*value));
+}
+
+/// Counts of cells that did not run are unknown, not zero.
+std::string countOf(const Record& r, uint64_t count) {
+  return r.status == Status::Ok ? std::to_string(count) : "";
+}
+
+void addRatio(std::vector<Column>& columns, const std::string& kind) {
+  auto add = [&](const char* part, auto pick) {
+    columns.push_back({"ratio_" + kind + part, [kind, pick](const Record& r) {
+                         for (const Ratio& x : r.ratios)
+                           if (x.kind == kind) return std::string(pick(x));
+                         return std::string();
+                       }});
+  };
+  add("", [](const Ratio& x) { return number(x.value); });
+  add("_low", [](const Ratio& x) { return number(x.low); });
+  add("_high", [](const Ratio& x) { return number(x.high); });
+  add("_against", [](const Ratio& x) { return x.against; });
+}
+
+std::string passesText(const Record& r) {
+  std::vector<std::string> parts;
+  for (const PassRecord& p : r.passes) parts.push_back(p.label + ":" + number(p.ms));
+  return joined(parts);
 }
 
 void addDistribution(std::vector<Column>& columns, const std::string& name,
@@ -73,10 +101,10 @@ std::vector<Column> makeColumns() {
   add("driver", [](const Record& r) { return r.driver; });
   add("scene", [](const Record& r) { return r.scene; });
   add("scene_hash", [](const Record& r) { return r.sceneHash; });
-  add("width", [](const Record& r) { return number(r.width); });
-  add("height", [](const Record& r) { return number(r.height); });
+  add("width", [](const Record& r) { return std::to_string(r.width); });
+  add("height", [](const Record& r) { return std::to_string(r.height); });
   add("knobs", knobText);
-  add("seed", [](const Record& r) { return number(r.seed); });
+  add("seed", [](const Record& r) { return std::to_string(r.seed); });
   add("version", [](const Record& r) { return r.version; });
   add("effects_planned", [](const Record& r) { return joined(r.effectsPlanned); });
   add("effects_skipped", skippedText);
@@ -93,19 +121,27 @@ std::vector<Column> makeColumns() {
   add("scene_ms", [](const Record& r) { return optionalNumber(r.sceneMs); });
   add("combined_ms", [](const Record& r) { return optionalNumber(r.combinedMs); });
   add("stamped_frame_ms", [](const Record& r) { return optionalNumber(r.stampedFrameMs); });
-  add("pass_count", [](const Record& r) { return std::to_string(r.passCount); });
-  add("draw_count", [](const Record& r) { return std::to_string(r.drawCount); });
-  add("triangle_count", [](const Record& r) { return std::to_string(r.triangleCount); });
-  add("bytes", [](const Record& r) { return std::to_string(r.bytes); });
+  add("passes", passesText);
+  addRatio(c, "baseline");
+  addRatio(c, "backend");
+  add("stopped_by", [](const Record& r) { return r.stoppedBy; });
+  add("precision", [](const Record& r) { return optionalNumber(r.precision); });
+  add("pass_count", [](const Record& r) { return countOf(r, r.passCount); });
+  add("draw_count", [](const Record& r) { return countOf(r, r.drawCount); });
+  add("triangle_count", [](const Record& r) { return countOf(r, r.triangleCount); });
+  add("bytes", [](const Record& r) { return countOf(r, r.bytes); });
   add("nonfinite", [](const Record& r) { return optionalNumber(r.nonfinite); });
   add("stable", [](const Record& r) {
     return std::string(!r.stable ? "" : *r.stable ? "true" : "false");
   });
   add("cross_backend_max_255", [](const Record& r) { return optionalNumber(r.crossBackendMax255); });
+  add("cross_backend_over_1_255",
+      [](const Record& r) { return optionalNumber(r.crossBackendOver1); });
   add("picture", [](const Record& r) { return r.picture; });
   add("status", [](const Record& r) { return std::string(statusName(r.status)); });
   add("reason", [](const Record& r) { return r.reason; });
   add("warnings", [](const Record& r) { return joined(r.warnings); });
+  add("contamination", [](const Record& r) { return joined(r.contamination); });
   add("command", [](const Record& r) { return r.command; });
   return c;
 }

@@ -2,17 +2,25 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+
+#include "reports/stats/stats.h"
 
 namespace report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// null for what is absent or not finite; `<key>_why` beside it when a reason is known.
+/// `<key>_why` for what is absent, when a reason is known.
+void putWhy(Json& out, const Record& r, const std::string& key, bool absent) {
+  if (auto why = r.why.find(key); absent && why != r.why.end()) out[key + "_why"] = why->second;
+}
+
+/// null for what is absent.
 template <class T>
 void put(Json& out, const Record& r, const std::string& key, const std::optional<T>& value) {
   out[key] = value ? Json(*value) : Json(nullptr);
-  if (auto why = r.why.find(key); !value && why != r.why.end()) out[key + "_why"] = why->second;
+  putWhy(out, r, key, !value);
 }
 
 void put(Json& out, const Record& r, const std::string& key,
@@ -58,11 +66,15 @@ void putTimes(Json& out, const Record& r) {
   put(out, r, "device_ms", r.device_);
   put(out, r, "submit_ms", r.submitMs);
   put(out, r, "compile_ms", r.compileMs);
+  out["stopped_by"] = r.stoppedBy;
+  put(out, r, "precision", r.precision);
   out["passes"] = Json::array();
+  putWhy(out, r, "passes", r.passes.empty());
   for (const PassRecord& p : r.passes) {
     Json pass = {{"label", p.label}, {"ms", p.ms}, {"share", p.share}, {"draws", p.draws},
                  {"triangles", p.triangles}};
     pass["fragments"] = p.fragments ? Json(*p.fragments) : Json(nullptr);
+    if (!p.fragments) pass["fragments_why"] = "not counted: no query, or a pass without fragments";
     out["passes"].push_back(std::move(pass));
   }
   put(out, r, "shadow_ms", r.shadowMs);
@@ -70,9 +82,10 @@ void putTimes(Json& out, const Record& r) {
   put(out, r, "combined_ms", r.combinedMs);
   put(out, r, "stamped_frame_ms", r.stampedFrameMs);
   out["ratios"] = Json::array();
+  putWhy(out, r, "ratios", r.ratios.empty());
   for (const Ratio& x : r.ratios)
-    out["ratios"].push_back({{"against", x.against}, {"of", x.of}, {"ratio", x.value},
-                             {"low", x.low}, {"high", x.high}, {"n", x.n}});
+    out["ratios"].push_back({{"kind", x.kind}, {"against", x.against}, {"of", x.of},
+                             {"ratio", x.value}, {"low", x.low}, {"high", x.high}, {"n", x.n}});
 }
 
 void putResults(Json& out, const Record& r) {
@@ -86,6 +99,7 @@ void putResults(Json& out, const Record& r) {
   put(out, r, "nonfinite", r.nonfinite);
   put(out, r, "stable", r.stable);
   put(out, r, "cross_backend_max_255", r.crossBackendMax255);
+  put(out, r, "cross_backend_over_1_255", r.crossBackendOver1);
   out["picture"] = r.picture;
 }
 
@@ -93,7 +107,15 @@ void putOutcome(Json& out, const Record& r) {
   out["status"] = statusName(r.status);
   out["reason"] = r.reason;
   out["warnings"] = r.warnings;
+  out["contamination"] = r.contamination;
   out["command"] = r.command;
+}
+
+/// Google Benchmark's median: over repetitions, not over frames.
+double medianOf(const std::vector<Block>& blocks, double Block::*member) {
+  std::vector<double> values;
+  for (const Block& b : blocks) values.push_back(b.*member);
+  return median(values);
 }
 
 Json googleKeys(const Record& r, const std::string& suffix, const char* runType) {
@@ -106,9 +128,13 @@ Json googleKeys(const Record& r, const std::string& suffix, const char* runType)
 
 void appendCell(Json& list, const Record& r) {
   if (r.status != Status::Ok) {
-    Json entry = googleKeys(r, "", "iteration");
+    // A name and a type of its own: compare.py looks for times in all iterations, and in all
+    // entries whose names are in both files.
+    const std::string status(statusName(r.status));
+    Json entry = googleKeys(r, "_" + status, "aggregate");
+    entry["aggregate_name"] = status;
     entry["error_occurred"] = true;
-    entry["error_message"] = std::string(statusName(r.status)) + ": " + r.reason;
+    entry["error_message"] = status + ": " + r.reason;
     putIdentity(entry, r);
     putPlan(entry, r);
     putOutcome(entry, r);
@@ -130,8 +156,8 @@ void appendCell(Json& list, const Record& r) {
   entry["aggregate_name"] = "median";
   entry["aggregate_unit"] = "time";
   entry["iterations"] = frames;
-  entry["real_time"] = r.frame ? r.frame->median : 0;
-  entry["cpu_time"] = r.cpu ? r.cpu->median : 0;
+  entry["real_time"] = medianOf(r.blocks, &Block::frameMs);
+  entry["cpu_time"] = medianOf(r.blocks, &Block::cpuMs);
   entry["time_unit"] = "ms";
   putIdentity(entry, r);
   putPlan(entry, r);
@@ -149,7 +175,7 @@ std::string toJson(const Run& run) {
                   {"executable", run.executable},
                   {"num_cpus", run.cpus},
                   {"mhz_per_cpu", std::lround(run.cpuMHz)},
-                  {"cpu_scaling_enabled", false},
+                  {"cpu_scaling_enabled", run.cpuScaling},
                   {"caches", Json::array()},
                   {"load_avg", run.loadAverage},
                   {"library_build_type", run.buildType},

@@ -15,6 +15,19 @@ std::string_view statusName(Status status) {
   return kNames[size_t(status)];
 }
 
+void refuse(Record& record, const std::string& reason) {
+  record.status = Status::Failed;
+  record.reason = reason;
+  record.timeSource.clear();
+  record.frame = record.wall = record.cpu = record.record = record.device_ = {};
+  record.submitMs = record.compileMs = record.precision = {};
+  record.shadowMs = record.sceneMs = record.combinedMs = record.stampedFrameMs = {};
+  record.stoppedBy.clear();
+  record.passes.clear();
+  record.ratios.clear();
+  record.blocks.clear();
+}
+
 Run describeMachine(const std::string& executable, const std::string& version) {
   Run run;
   char text[256] = "";
@@ -38,6 +51,9 @@ Run describeMachine(const std::string& executable, const std::string& version) {
       run.cpuMHz = std::strtod(line.c_str() + line.find(':') + 1, nullptr);
       break;
     }
+  std::string governor;
+  std::ifstream("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor") >> governor;
+  run.cpuScaling = !governor.empty() && governor != "performance";
   double load[3];
   if (getloadavg(load, 3) == 3) run.loadAverage.assign(load, load + 3);
   return run;

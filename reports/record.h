@@ -32,6 +32,7 @@ struct PassRecord {
 
 /// This cell's time over another's, pairwise over interleaved blocks.
 struct Ratio {
+  std::string kind;     ///< "baseline": the same without shadows; "backend": the same elsewhere
   std::string against;  ///< name of the other cell
   std::string of;       ///< which time: "cpu_ms", "frame_ms"
   double value = 1;     ///< median of the ratios
@@ -71,6 +72,8 @@ struct Record {
   std::optional<double> shadowMs, sceneMs, combinedMs, stampedFrameMs;
   std::vector<Ratio> ratios;
   std::vector<Block> blocks;
+  std::string stoppedBy;            ///< "precision", "budget" or "repetitions"
+  std::optional<double> precision;  ///< half width of the median's 95 % interval / the median
   // counts
   uint64_t passCount = 0;
   uint64_t drawCount = 0;
@@ -79,18 +82,24 @@ struct Record {
   std::map<std::string, uint64_t> bytesByLabel;
   // verified
   std::optional<bool> stable;              ///< the timed run's picture equals the untimed one
-  std::optional<int> crossBackendMax255;   ///< largest difference to the other backend, in 1/255
+  std::optional<int> crossBackendMax255;   ///< largest difference to another backend, in 1/255
+  std::optional<uint64_t> crossBackendOver1;  ///< pixels that differ by more than 1/255
   std::optional<uint64_t> nonfinite;       ///< values of the picture that are not finite
   std::string picture;                     ///< content hash of the picture
   // outcome
   Status status = Status::Ok;
   std::string reason;
   std::vector<std::string> warnings;
+  /// Why the times are not what an undisturbed run would give; such a cell is in no ratio.
+  std::vector<std::string> contamination;
   std::string command;  ///< reproduces this cell
   std::map<std::string, std::string> why;
 };
 
 std::string_view statusName(Status status);
+
+/// Makes a failed record of one whose result cannot be believed: its times and ratios go.
+void refuse(Record& record, const std::string& reason);
 
 /// A whole run: where and with what it was made, and its cells.
 struct Run {
@@ -101,6 +110,7 @@ struct Run {
   std::string buildType;   ///< "release" or "debug"
   uint32_t cpus = 0;
   double cpuMHz = 0;
+  bool cpuScaling = false;  ///< the governor may change the clock
   std::vector<double> loadAverage;
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;

@@ -24,6 +24,9 @@ struct Platform {
 };
 Platform makePlatform(const Options& options);
 
+/// Throws InputError, naming the option, when a file that the command is to write cannot be written.
+void requireWritable(const std::string& option, const std::string& path);
+
 /// Backends that a run uses when none is named: "vulkan" and the OpenGL that --gl chose.
 std::vector<std::string> defaultBackends(const Options& options);
 

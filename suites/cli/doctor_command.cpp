@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "reports/stats/stats.h"
 #include "suites/cli/commands.h"
-#include "suites/harness/timer_trust.h"
+#include "techniques/common/error.h"
 
 namespace sb {
 namespace {
@@ -45,6 +44,7 @@ int doctorCommand(const Options& options) {
   int working = 0;
   for (rhi::Backend* backend : platform.backends()) {
     fmt::print("{}\n", backend->name());
+    std::fflush(stdout);
     try {
       for (const rhi::DeviceInfo& d : backend->enumerate()) printDevice(d);
     } catch (const rhi::Error& e) {
@@ -58,10 +58,12 @@ int doctorCommand(const Options& options) {
     }
     ++working;
     fmt::print("  timers of {}:\n", session->device->info().name);
-    for (const TimerFact& fact : checkTimers(session->context()))
+    for (const TimerFact& fact : Devices::timersOf(*session))
       fmt::print("      {} {}: {}\n", fact.trusted ? "ok       " : "UNTRUSTED", fact.name,
                  fact.finding);
   }
+  if (const std::string why = devices.whyNoSuchDevice(); !why.empty())
+    throw InputError("--device", why);
   if (working == 0) fmt::print("No backend works on this machine.\n");
   return working > 0 ? 0 : 1;
 }

@@ -3,75 +3,115 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <set>
 
 #include "reports/atomic_file.h"
 #include "reports/console.h"
 #include "reports/csv.h"
 #include "reports/json.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/progress.h"
 #include "suites/harness/group.h"
+#include "suites/scenes/procedural.h"
+#include "techniques/common/error.h"
 
 namespace sb {
 namespace {
 
 std::atomic<bool> g_interrupted = false;
+volatile std::sig_atomic_t g_signal = 0;
 
 void onInterrupt(int signal) {
   // A second Ctrl-C ends the program at once.
   if (g_interrupted.exchange(true)) _exit(128 + signal);
+  g_signal = signal;
 }
-
-class Progress {
- public:
-  explicit Progress(bool show) : m_show(show && isatty(2)) {}
-  void update(const std::string& what, double done) {
-    if (!m_show) return;
-    std::fprintf(stderr, "\r\033[K[%3.0f %%] %s", 100 * done, what.c_str());
-    std::fflush(stderr);
-  }
-  ~Progress() {
-    if (m_show) std::fprintf(stderr, "\r\033[K");
-  }
-
- private:
-  bool m_show;
-};
 
 bool isQuick(const Selection& s) {
   return s.techniques.empty() && s.backends.empty() && s.scenes.empty() && s.sets.empty() &&
          s.filter.empty() && !s.size;
 }
 
-/// Backends that start; of the others, why not (unless they were asked for by name: then the cells
-/// say so themselves).
-std::vector<std::string> workingBackends(const Options& options, Devices& devices,
-                                         report::Run& run) {
-  std::vector<std::string> working;
-  for (const std::string& name : defaultBackends(options)) {
-    if (devices.open(name)) working.push_back(name);
-    else run.warnings.push_back("backend " + name + " does not start: " + devices.why(name));
-  }
-  return working;
+/// Opens the devices of all cells. Cells of backends that do not start go, with a warning that says
+/// why, unless the backend was asked for by name: then their records say so.
+void openBackends(const Options& options, Devices& devices, std::vector<CellId>& cells,
+                  report::Run& run) {
+  std::set<std::string> names, broken;
+  for (const CellId& cell : cells) names.insert(cell.backend);
+  for (const std::string& name : names)
+    if (!devices.open(name)) {
+      broken.insert(name);
+      run.warnings.push_back("backend " + name + " does not start: " + devices.why(name));
+      std::fprintf(stderr, "bench: %s\n", run.warnings.back().c_str());
+    }
+  if (const std::string why = devices.whyNoSuchDevice(); !why.empty())
+    throw InputError("--device", why);
+  if (options.selection.backends.empty())
+    std::erase_if(cells, [&](const CellId& cell) { return broken.contains(cell.backend); });
 }
 
-void writeFiles(const Options& options, const report::Run& run) {
-  if (!options.jsonFile.empty()) report::writeAtomically(options.jsonFile, report::toJson(run));
-  if (!options.csvFile.empty()) report::writeAtomically(options.csvFile, report::toCsv(run));
+/// Reads files before anything is measured: an error in the last one should not cost minutes.
+void checkScenes(const std::vector<CellId>& cells, report::Run& run) {
+  std::set<std::string> seen;
+  for (const CellId& cell : cells) {
+    if (!seen.insert(cell.scene).second) continue;
+    for (const std::string& warning : makeScene(cell.scene).warnings)
+      run.warnings.push_back("scene " + cell.scene + ": " + warning);
+  }
+}
+
+/// After each group, so that a crash costs one group; pipes and the like get the whole run alone.
+void writeFiles(const Options& options, const report::Run& run, bool finished) {
+  auto due = [&](const std::string& path) {
+    return !path.empty() && (finished || !report::isSpecialFile(path));
+  };
+  if (due(options.jsonFile)) report::writeAtomically(options.jsonFile, report::toJson(run));
+  if (due(options.csvFile)) report::writeAtomically(options.csvFile, report::toCsv(run));
 }
 
 MeasureSettings settingsOf(const Options& options, bool quick) {
   MeasureSettings s;
   s.budgetSeconds = options.budgetSeconds.value_or(quick ? 1 : 3);
   s.budgetSeconds = std::max(s.budgetSeconds, options.benchmark.minSeconds);
-  s.precision = options.precisionPercent.value_or(5) / 100;
+  s.stop.precision = options.precisionPercent.value_or(5) / 100;
   // A minimum of time is a wish for more than precision alone would give.
-  if (options.benchmark.minSeconds > 0) s.precision = 0;
-  s.blocks = options.benchmark.repetitions;
+  if (options.benchmark.minSeconds > 0) s.stop.precision = 0;
+  s.stop.repetitions = options.benchmark.repetitions;
   s.interrupted = &g_interrupted;
   return s;
+}
+
+/// Measures group by group and writes the files after each.
+void measureAll(const Options& options, const std::vector<CellId>& cells, Devices& devices,
+                bool quick, report::Run& run) {
+  Progress progress(!options.quiet);
+  const auto groups = groupCells(cells);
+  for (size_t g = 0; g < groups.size() && !g_interrupted; ++g) {
+    MeasureSettings settings = settingsOf(options, quick);
+    settings.progress = [&](const std::string& what, double done) {
+      progress.update(groups[g].front().scene, what, (double(g) + done) / double(groups.size()));
+    };
+    for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION))
+      if (!result.id.companion) run.records.push_back(std::move(result.record));
+    writeFiles(options, run, false);
+  }
+}
+
+int exitCode(const report::Run& run, size_t cells) {
+  if (g_interrupted) {
+    std::fprintf(stderr, "bench: interrupted; %zu of %zu cells are finished\n", run.records.size(),
+                 cells);
+    return 128 + g_signal;
+  }
+  bool anyOk = false, anyFailed = false;
+  for (const report::Record& r : run.records) {
+    anyOk |= r.status == report::Status::Ok;
+    anyFailed |= r.status == report::Status::Failed;
+  }
+  if (!anyOk) std::fprintf(stderr, "bench: no cell could be measured\n");
+  return anyFailed || !anyOk ? 1 : 0;
 }
 
 }  // namespace
@@ -85,45 +125,28 @@ int measureCommand(const Options& options) {
   const bool quick = isQuick(selection);
   if (quick) selection.size = {256, 256};
 
-  const std::vector<std::string> defaults =
-      !selection.backends.empty() ? selection.backends
-      : options.list              ? defaultBackends(options)
-                                  : workingBackends(options, devices, run);
-  const std::vector<CellId> cells = selectCells(selection, platform.names(), defaults);
+  std::vector<CellId> cells = selectCells(selection, platform.names(), defaultBackends(options));
   if (options.list) {
     for (const CellId& cell : cells) std::printf("%s\n", cellName(cell).c_str());
     return 0;
   }
-  if (run.loadAverage.size() == 3 && run.loadAverage[0] > 0.5 * run.cpus)
-    run.warnings.push_back("contaminated: other programs load this machine");
+  if (!options.jsonFile.empty()) requireWritable("--json", options.jsonFile);
+  if (!options.csvFile.empty()) requireWritable("--csv", options.csvFile);
+  if (!options.benchmark.outFile.empty())
+    requireWritable("--benchmark_out", options.benchmark.outFile);
+  checkScenes(cells, run);
+  openBackends(options, devices, cells, run);
+  const size_t asked = cells.size();
 
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
-  {
-    Progress progress(!options.quiet);
-    const auto groups = groupCells(cells);
-    for (size_t g = 0; g < groups.size() && !g_interrupted; ++g) {
-      MeasureSettings settings = settingsOf(options, quick);
-      settings.progress = [&](const std::string& what, double done) {
-        progress.update(groups[g].front().scene + ": " + what,
-                        (double(g) + done) / double(groups.size()));
-      };
-      for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION))
-        if (!result.id.companion) run.records.push_back(std::move(result.record));
-      writeFiles(options, run);
-    }
-  }
-  std::printf("%s", report::toTable(run).c_str());
-  writeFiles(options, run);
+  measureAll(options, cells, devices, quick, run);
+  writeFiles(options, run, true);
+  // With a format of the library's on the console, standard output is the library's alone.
+  if (!options.benchmark.display && !run.records.empty())
+    std::printf("%s", report::toTable(run).c_str());
   runBenchmarks(options.benchmark, run.records);
-  if (g_interrupted) {
-    std::fprintf(stderr, "bench: interrupted; %zu of %zu cells are finished\n", run.records.size(),
-                 cells.size());
-    return 130;
-  }
-  for (const report::Record& r : run.records)
-    if (r.status == report::Status::Failed) return 1;
-  return 0;
+  return exitCode(run, asked);
 }
 
 }  // namespace sb

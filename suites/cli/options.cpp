@@ -1,7 +1,9 @@
 #include "suites/cli/options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
@@ -43,7 +45,8 @@ std::string footer() {
       "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at its\n"
       "default is left out. --filter matches anywhere in the name.\n"
       "Google Benchmark's own --benchmark_* flags work too.\n"
-      "Exit code: 0 all cells ok or skipped, 1 a cell failed, 2 wrong input, 130 interrupted.\n";
+      "Exit code: 0 all cells ok or skipped, 1 a cell failed or none was measured, 2 wrong input,\n"
+      "130 interrupted (what is finished is written).\n";
   return out;
 }
 
@@ -54,6 +57,30 @@ std::pair<uint32_t, uint32_t> parseSize(const std::string& text) {
       size_t(used) != text.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
     throw InputError("--size", "found '" + text + "', expected WIDTHxHEIGHT, each 1..16384");
   return {width, height};
+}
+
+/// CLI11's own check prints the largest double.
+void addPositive(CLI::App& app, const std::string& name, std::optional<double>& value,
+                 const std::string& help, const std::string& type) {
+  app.add_option_function<std::string>(
+         name,
+         [&value, name](const std::string& text) {
+           char* end = nullptr;
+           value = std::strtod(text.c_str(), &end);
+           if (text.empty() || *end || !(*value > 0) || !std::isfinite(*value))
+             throw InputError(name, "found '" + text + "', expected a number above 0");
+         },
+         help)
+      ->type_name(type);
+}
+
+/// Options before a command's name are the measuring ones: with a command they would be lost.
+void refuseStray(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::Option* option : app.get_options())
+      if (option->count() > 0)
+        throw InputError(option->get_name(), "found it before '" + command->get_name() +
+                                                 "', expected the options of a command behind it");
 }
 
 /// Options that choose cells: the same for measuring and for `render`.
@@ -105,13 +132,10 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   addCommon(app, o);
   app.add_option("--filter", o.selection.filter, "only cells whose name matches")
       ->type_name("REGEX");
-  app.add_option("--budget", o.budgetSeconds, "seconds to measure each cell at most [3; quick 1]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("SECONDS");
-  app.add_option("--precision", o.precisionPercent,
-                 "stop when the 95 % interval of the median is within so much [5]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("PERCENT");
+  addPositive(app, "--budget", o.budgetSeconds, "seconds to measure each cell at most [3; quick 1]",
+              "SECONDS");
+  addPositive(app, "--precision", o.precisionPercent,
+              "stop when the 95 % interval of the median is within so much [5]", "PERCENT");
   app.add_option("--json", o.jsonFile, "write all results (Google Benchmark's schema)")
       ->type_name("FILE");
   app.add_option("--csv", o.csvFile, "write one row a cell")->type_name("FILE");
@@ -147,15 +171,19 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     throw InputError("", std::string(e.what()) + " (see bench --help)");
   }
+  refuseStray(app);
   if (render->parsed()) o.command = Command::Render;
   if (scene->parsed()) o.command = Command::Scene;
   if (doctor->parsed()) o.command = Command::Doctor;
+  if (o.command != Command::Measure && !o.benchmark.arguments.empty())
+    throw InputError(o.benchmark.arguments.front(), "found it beside a command; it is of measuring");
   if (!size.empty()) o.selection.size = parseSize(size);
   if (!renderSize.empty()) o.selection.size = parseSize(renderSize);
   if (!o.benchmark.filter.empty()) {
     if (!o.selection.filter.empty())
       throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");
     o.selection.filter = o.benchmark.filter;
+    o.selection.filterExcludes = o.benchmark.filterExcludes;
   }
   o.list |= o.benchmark.list;
   return o;

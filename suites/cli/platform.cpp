@@ -2,7 +2,9 @@
 #include "backends/opengl/gl_backend.h"
 #include "backends/shader/collect.h"
 #include "backends/vulkan/vk_backend.h"
+#include "reports/atomic_file.h"
 #include "suites/cli/commands.h"
+#include "techniques/common/error.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);
@@ -32,6 +34,11 @@ Platform makePlatform(const Options& options) {
   else
     platform.shaders = shader::compileFolder(options.shaderFolder);
   return platform;
+}
+
+void requireWritable(const std::string& option, const std::string& path) {
+  if (const std::string why = report::whyNotWritable(path); !why.empty())
+    throw InputError(option, "cannot write " + path + ": " + why);
 }
 
 std::vector<std::string> defaultBackends(const Options& options) {

@@ -17,28 +17,51 @@ void writeBoth(const std::string& prefix, const report::Picture& picture, float 
   std::printf("%s.png %s.exr\n", prefix.c_str(), prefix.c_str());
 }
 
-CellId oneCell(const Options& options, const Platform& platform) {
+/// One cell; on the first default backend that starts when none is named.
+CellId oneCell(const Options& options, const Platform& platform, Devices& devices) {
   Selection selection = options.selection;
   if (selection.techniques.empty()) selection.techniques = {"CSSM2"};
   if (selection.scenes.empty()) selection.scenes = {"layers"};
-  if (selection.backends.empty()) selection.backends = {"vulkan"};
-  const auto cells = selectCells(selection, platform.names(), {});
+  std::vector<std::string> candidates = defaultBackends(options);
+  if (selection.backends.empty()) selection.backends = {candidates.front()};
+  auto cells = selectCells(selection, platform.names(), {});
   if (cells.size() != 1)
     throw InputError("render", "found " + std::to_string(cells.size()) +
                                    " cells, expected one technique, backend, scene and value a knob");
-  return cells.front();
+  if (!options.selection.backends.empty()) candidates = {cells.front().backend};
+  std::string why;
+  for (const std::string& backend : candidates) {
+    cells.front().backend = backend;
+    if (devices.open(backend)) return cells.front();
+    const std::string text = "backend " + backend + " does not start: " + devices.why(backend);
+    if (candidates.size() > 1) std::fprintf(stderr, "bench: %s\n", text.c_str());
+    why += (why.empty() ? "" : "; ") + text;
+  }
+  if (const std::string unknown = devices.whyNoSuchDevice(); !unknown.empty())
+    throw InputError("--device", unknown);
+  throw rhi::Error("render", "", why);
+}
+
+void requireWritable(const Options& options) {
+  for (const char* extension : {".png", ".exr"})
+    sb::requireWritable("--output", options.outputPrefix + extension);
 }
 
 }  // namespace
 
 int renderCommand(const Options& options) {
   Platform platform = makePlatform(options);
-  const CellId id = oneCell(options, platform);
-  const Scene scene = makeScene(id.scene);
+  requireWritable(options);
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});
+  const CellId id = oneCell(options, platform, devices);
   DeviceSession* session = devices.open(id.backend);
-  if (!session) throw rhi::Error("render", "", id.backend + ": " + devices.why(id.backend));
+  const TechniqueInfo& technique = shadowTechnique(id.technique).info;
+  if (auto skip = unsupported(*session->device, technique,
+                              transparencyTechnique(id.transparency).info))
+    throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
+  const Scene scene = makeScene(id.scene);
+  for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());
   const Effects effects = analyse(scene, double(id.width) / double(id.height));
   const GpuScene gpuScene(*session->device, scene);
   Renderer renderer(session->context(), gpuScene, effects,

@@ -32,6 +32,18 @@ std::string cellName(const CellId& id) {
   return name + "/" + std::to_string(id.width) + "x" + std::to_string(id.height);
 }
 
+CellId baselineOf(const CellId& id) {
+  CellId baseline = id;
+  baseline.technique = "none";
+  baseline.knobs.clear();
+  // The knobs of the transparency technique stay; those of shadows mean nothing here.
+  for (const KnobInfo& knob : knobsOf(shadowTechnique("none").info,
+                                      transparencyTechnique(id.transparency).info))
+    if (auto given = id.knobs.find(knob.name); given != id.knobs.end())
+      baseline.knobs.insert(*given);
+  return baseline;
+}
+
 std::string cellCommand(const CellId& id) {
   std::string command = "./bench --technique " + id.technique;
   if (id.transparency != kDefaultTransparency) command += "+" + id.transparency;

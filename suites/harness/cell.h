@@ -28,6 +28,9 @@ struct CellId {
 /// stands as "seed:N" among the knobs when it is not 0. Throws InputError on a bad knob.
 std::string cellName(const CellId& id);
 
+/// The cell that this one's cost is told against: the same without shadows.
+CellId baselineOf(const CellId& id);
+
 /// Knobs of the pair with the cell's values. Throws InputError.
 Knobs cellKnobs(const CellId& id);
 

@@ -32,6 +32,8 @@ DeviceSession* Devices::open(const std::string& backend) {
     return &m_sessions.emplace(backend, std::move(session)).first->second;
   } catch (const rhi::Error& e) {
     m_failures[backend] = e.what();
+    if (!m_request.selector.empty() && e.call() == "device selection")
+      m_unmatched += (m_unmatched.empty() ? "" : "; ") + backend + ": " + e.detail();
     return nullptr;
   }
 }
@@ -40,5 +42,12 @@ std::string Devices::why(const std::string& backend) const {
   auto it = m_failures.find(backend);
   return it == m_failures.end() ? "" : it->second;
 }
+
+const std::vector<TimerFact>& Devices::timersOf(DeviceSession& session) {
+  if (session.timers.empty()) session.timers = checkTimers(session.context());
+  return session.timers;
+}
+
+std::string Devices::whyNoSuchDevice() const { return m_sessions.empty() ? m_unmatched : ""; }
 
 }  // namespace sb

@@ -9,6 +9,7 @@
 
 #include "backends/rhi/device.h"
 #include "backends/rhi/validate/validator.h"
+#include "suites/harness/timer_trust.h"
 #include "techniques/common/renderer.h"
 
 namespace sb {
@@ -20,6 +21,7 @@ struct DeviceSession {
   std::unique_ptr<PipelineCache> pipelines;
   std::unique_ptr<FrameQueries> queries;
   const rhi::ShaderLibrary* shaders = nullptr;
+  std::vector<TimerFact> timers;  ///< see Devices::timersOf
   DeviceContext context() { return {*device, *shaders, *pipelines, *queries}; }
 };
 
@@ -34,6 +36,10 @@ class Devices {
   DeviceSession* open(const std::string& backend);
   /// Why `open` gave null.
   std::string why(const std::string& backend) const;
+  /// What the timers of an open device are worth: checked once, at first use.
+  static const std::vector<TimerFact>& timersOf(DeviceSession& session);
+  /// A device was asked for, and no backend that was opened has it: the errors of all of them.
+  std::string whyNoSuchDevice() const;
   bool validating() const { return m_request.validate; }
   std::vector<rhi::Backend*> backends() const { return m_backends; }
 
@@ -43,6 +49,7 @@ class Devices {
   rhi::DeviceRequest m_request;
   std::map<std::string, DeviceSession> m_sessions;
   std::map<std::string, std::string> m_failures;
+  std::string m_unmatched;  ///< failures to find the device asked for
 };
 
 }  // namespace sb

@@ -1,6 +1,7 @@
 #include "suites/harness/gbench.h"
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -92,6 +93,21 @@ void replay(benchmark::State& state, const report::Record& record, size_t& next)
   }
   const report::Block& block = record.blocks[next++ % record.blocks.size()];
   for (auto _ : state) state.SetIterationTime(block.frameMs * 1e-3);
+  auto count = [&](const char* name, const auto& value) {
+    if (value) state.counters[name] = double(*value);
+  };
+  auto median = [&](const char* name, const std::optional<report::Distribution>& d) {
+    if (d) state.counters[name] = d->median;
+  };
+  median("wall_ms", record.wall);
+  median("record_ms", record.record);
+  count("submit_ms", record.submitMs);
+  count("shadow_ms", record.shadowMs);
+  count("scene_ms", record.sceneMs);
+  state.counters["passes"] = double(record.passCount);
+  state.counters["draws"] = double(record.drawCount);
+  state.counters["triangles"] = double(record.triangleCount);
+  state.counters["bytes"] = double(record.bytes);
 }
 
 void registerCell(const report::Record& record) {
@@ -105,20 +121,34 @@ void registerCell(const report::Record& record) {
       ->Repetitions(ok ? int(record.blocks.size()) : 1);
 }
 
-std::unique_ptr<BenchmarkReporter> fileReporter(const BenchmarkFlags& flags) {
-  std::string format = "json";
-  bool toFile = false;
-  for (const std::string& a : flags.arguments) {
-    if (a.starts_with("--benchmark_out_format")) format = flagValue(a);
-    if (a.starts_with("--benchmark_out=")) toFile = !flagValue(a).empty();
-  }
-  if (!toFile) return nullptr;
-  if (format == "console") return std::make_unique<benchmark::ConsoleReporter>();
+/// The value of the last flag of that name, or `fallback`.
+std::string lastValue(const BenchmarkFlags& flags, const std::string& name,
+                      const std::string& fallback) {
+  std::string value = fallback;
+  for (const std::string& a : flags.arguments)
+    if (a == name || a.starts_with(name + "=")) value = flagValue(a);
+  return value;
+}
+
+bool isTrue(const std::string& value) {
+  return value == "true" || value == "yes" || value == "on" || value == "1" || value == "t";
+}
+
+std::unique_ptr<BenchmarkReporter> makeReporter(const BenchmarkFlags& flags,
+                                                const std::string& format, bool toFile) {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   if (format == "csv") return std::make_unique<benchmark::CSVReporter>();
 #pragma GCC diagnostic pop
-  return std::make_unique<benchmark::JSONReporter>();
+  if (format == "json") return std::make_unique<benchmark::JSONReporter>();
+  int options = benchmark::ConsoleReporter::OO_None;
+  if (isTrue(lastValue(flags, "--benchmark_counters_tabular", "false")))
+    options |= benchmark::ConsoleReporter::OO_Tabular;
+  const std::string color = lastValue(flags, "--benchmark_color", "auto");
+  if (!toFile && (color == "auto" ? isatty(1) != 0 : isTrue(color)))
+    options |= benchmark::ConsoleReporter::OO_Color;
+  return std::make_unique<benchmark::ConsoleReporter>(
+      benchmark::ConsoleReporter::OutputOptions(options));
 }
 
 }  // namespace
@@ -132,13 +162,20 @@ BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
       continue;
     }
     flags.arguments.push_back(a);
-    if (a.starts_with("--benchmark_filter=")) flags.filter = flagValue(a);
     if (a.starts_with("--benchmark_repetitions="))
       flags.repetitions = uint32_t(std::max(1.0, positiveNumber(a)));
     if (a.starts_with("--benchmark_min_time=")) flags.minSeconds = positiveNumber(a);
-    if (a.starts_with("--benchmark_list_tests")) flags.list = flagValue(a) == "true";
-    if (a.starts_with("--benchmark_format")) flags.display = true;
+    // Without a format the console's table is ours; these ask for the library's.
+    for (const char* name : {"--benchmark_format", "--benchmark_counters_tabular"})
+      flags.display |= a.starts_with(name);
   }
+  flags.list = isTrue(lastValue(flags, "--benchmark_list_tests", "false"));
+  flags.outFile = lastValue(flags, "--benchmark_out", "");
+  // As the library reads it: "all" is every one, a leading '-' leaves out what matches.
+  flags.filter = lastValue(flags, "--benchmark_filter", "");
+  if (flags.filter == "all") flags.filter.clear();
+  flags.filterExcludes = flags.filter.starts_with('-');
+  if (flags.filterExcludes) flags.filter.erase(0, 1);
   arguments = rest;
   std::vector<std::string> words = {"bench"};
   words.insert(words.end(), flags.arguments.begin(), flags.arguments.end());
@@ -156,15 +193,17 @@ void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record
   if (flags.arguments.empty() || records.empty()) return;
   benchmark::ClearRegisteredBenchmarks();
   for (const report::Record& r : records) registerCell(r);
-  std::unique_ptr<BenchmarkReporter> display =
-      flags.display ? std::unique_ptr<BenchmarkReporter>(benchmark::CreateDefaultDisplayReporter())
-                    : std::make_unique<Silent>();
-  Corrected correctedDisplay(std::move(display), records);
-  std::unique_ptr<BenchmarkReporter> file = fileReporter(flags);
-  std::unique_ptr<Corrected> correctedFile;
-  if (file) correctedFile = std::make_unique<Corrected>(std::move(file), records);
+  Corrected display(flags.display ? makeReporter(flags,
+                                                 lastValue(flags, "--benchmark_format", "console"),
+                                                 false)
+                                  : std::make_unique<Silent>(),
+                    records);
+  std::unique_ptr<Corrected> file;
+  if (!flags.outFile.empty())
+    file = std::make_unique<Corrected>(
+        makeReporter(flags, lastValue(flags, "--benchmark_out_format", "json"), true), records);
   // The filter has been applied to the selection already.
-  benchmark::RunSpecifiedBenchmarks(&correctedDisplay, correctedFile.get(), ".");
+  benchmark::RunSpecifiedBenchmarks(&display, file.get(), ".");
   benchmark::ClearRegisteredBenchmarks();
 }
 

@@ -4,6 +4,7 @@
 // reporters get the measured one.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace sb {
 struct BenchmarkFlags {
   std::vector<std::string> arguments;  ///< all --benchmark_* as given
   std::string filter;                  ///< --benchmark_filter
+  bool filterExcludes = false;         ///< it began with '-'
+  std::string outFile;                 ///< --benchmark_out
   uint32_t repetitions = 0;            ///< --benchmark_repetitions; 0: not given
   double minSeconds = 0;               ///< --benchmark_min_time; 0: not given
   bool list = false;                   ///< --benchmark_list_tests

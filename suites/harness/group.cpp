@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <thread>
 
 #include "reports/stats/stats.h"
+#include "suites/harness/compare.h"
+#include "suites/harness/load_watch.h"
+#include "suites/harness/scene_hash.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/analysis.h"
-#include "suites/harness/scene_hash.h"
 #include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
 
 namespace sb {
 namespace {
@@ -21,6 +19,29 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void addOnce(std::vector<std::string>& list, const std::string& text) {
+  if (std::ranges::find(list, text) == list.end()) list.push_back(text);
+}
+
+report::Record recordOf(const CellId& id, const std::string& sceneHash, const std::string& version) {
+  report::Record r = {.name = cellName(id), .technique = id.technique,
+                      .transparency = id.transparency, .backend = id.backend, .scene = id.scene,
+                      .sceneHash = sceneHash, .width = id.width, .height = id.height,
+                      .seed = id.seed, .version = version, .command = cellCommand(id)};
+  const Knobs knobs = cellKnobs(id);
+  for (const auto& [name, value] : knobs.all()) r.knobs[name] = value;
+  for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
+    r.why[key] = "no ray-traced truth in this version";
+  return r;
+}
+
+void recordPlan(const Plan& plan, report::Record& record) {
+  for (Effect e : plan.planned.list()) record.effectsPlanned.emplace_back(effectName(e));
+  for (const auto& [e, why] : plan.skipped)
+    record.effectsSkipped.emplace_back(std::string(effectName(e)), why);
+  for (Effect e : plan.unrepresented) record.effectsUnrepresented.emplace_back(effectName(e));
 }
 
 /// A cell under measurement.
@@ -32,6 +53,7 @@ struct Active {
   std::string untimedPicture;  ///< content hash
   uint32_t framesPerBlock = 1;
   bool software = true;
+  bool ok() const { return result->record.status == report::Status::Ok; }
 };
 
 class Group {
@@ -43,18 +65,8 @@ class Group {
     const double aspect = double(cells.front().width) / double(cells.front().height);
     m_effects = analyse(m_scene, aspect);
     const std::string hash = sceneHash(m_scene);
-    for (const CellId& id : cells) {
-      CellResult& r = m_results.emplace_back();
-      r.id = id;
-      r.record = {.name = cellName(id), .technique = id.technique, .transparency = id.transparency,
-                  .backend = id.backend, .scene = id.scene, .sceneHash = hash, .width = id.width,
-                  .height = id.height, .seed = id.seed, .version = version,
-                  .command = cellCommand(id)};
-      const Knobs knobs = cellKnobs(id);
-      for (const auto& [name, value] : knobs.all()) r.record.knobs[name] = value;
-      for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
-        r.record.why[key] = "no ray-traced truth in this version";
-    }
+    for (const CellId& id : cells) m_results.push_back({id, recordOf(id, hash, version), {}});
+    m_active.reserve(m_results.size());
   }
 
   std::vector<CellResult> run() {
@@ -63,11 +75,20 @@ class Group {
       guarded(m_results[i], [&] { prepare(m_results[i]); });
       if (interrupted()) return {};
     }
-    measureBlocks();
+    const MachineUse before = machineUse();
+    const Stop stop = measureBlocks();
     if (interrupted()) return {};
-    for (Active& a : m_active) guarded(*a.result, [&] { finish(a); });
-    if (interrupted()) return {};
-    compare();
+    const std::vector<std::string> disturbed = disturbances(before, machineUse());
+    for (size_t i = 0; i < m_active.size(); ++i) {
+      report("verify", 0.9 + 0.1 * double(i) / double(m_active.size()));
+      Active& a = m_active[i];
+      for (const std::string& d : disturbed) addOnce(a.result->record.contamination, d);
+      guarded(*a.result, [&] { finish(a, stop); });
+      if (interrupted()) return {};
+    }
+    std::vector<Measured> measured;
+    for (Active& a : m_active) measured.push_back({a.result, &a.samples, a.software});
+    compareCells(measured);
     return std::move(m_results);
   }
 
@@ -83,39 +104,44 @@ class Group {
     if (result.record.status != report::Status::Ok) return;
     try {
       work();
-    } catch (const rhi::Error& e) {
-      result.record.status = report::Status::Failed;
-      result.record.reason = e.what();
+    } catch (const std::exception& e) {
+      report::refuse(result.record, e.what());
     }
+  }
+
+  static void skip(report::Record& record, const std::string& reason) {
+    record.status = report::Status::Skipped;
+    record.reason = reason;
   }
 
   void prepare(CellResult& result) {
     report::Record& record = result.record;
-    Active a;
-    a.result = &result;
-    a.device = m_devices.open(result.id.backend);
-    if (!a.device) {
-      record.status = report::Status::Skipped;
-      record.reason = "the backend does not start: " + m_devices.why(result.id.backend);
-      return;
-    }
-    const rhi::DeviceInfo& info = a.device->device->info();
-    record.device = info.name;
-    record.deviceType = rhi::deviceTypeName(info.type);
-    record.driver = info.driver + " " + info.driverVersion;
-    a.software = a.device->device->isSoftware();
+    DeviceSession* session = m_devices.open(result.id.backend);
+    if (!session)
+      return skip(record, "the backend does not start: " + m_devices.why(result.id.backend));
+    rhi::Device& device = *session->device;
+    record.device = device.info().name;
+    record.deviceType = rhi::deviceTypeName(device.info().type);
+    record.driver = device.info().driver + " " + device.info().driverVersion;
     const ShadowEntry& technique = shadowTechnique(result.id.technique);
     const TransparencyEntry& transparency = transparencyTechnique(result.id.transparency);
-    if (auto skip = unsupported(*a.device->device, technique.info, transparency.info)) {
-      record.status = report::Status::Skipped;
-      record.reason = skip->reason;
-      return;
+    if (auto why = unsupported(device, technique.info, transparency.info))
+      return skip(record, why->reason);
+    Active a;
+    a.result = &result;
+    a.device = session;
+    a.software = device.isSoftware();
+    if (m_settings.checkTimers) {
+      const auto& facts = Devices::timersOf(*session);
+      if (const auto why = whyUntrusted(facts, TimerUse::Frame); !why.empty())
+        return report::refuse(record, why);
+      a.samples.passesUntrusted = whyUntrusted(facts, TimerUse::Passes);
     }
-    auto& gpuScene = m_gpuScenes[a.device];
-    if (!gpuScene) gpuScene = std::make_unique<GpuScene>(*a.device->device, m_scene);
-    const double createdBefore = a.device->pipelines->createMs();
+    auto& gpuScene = m_gpuScenes[session];
+    if (!gpuScene) gpuScene = std::make_unique<GpuScene>(device, m_scene);
+    const double createdBefore = session->pipelines->createMs();
     a.renderer = std::make_unique<Renderer>(
-        a.device->context(), *gpuScene, m_effects,
+        session->context(), *gpuScene, m_effects,
         RendererDesc{.technique = &technique,
                      .transparency = &transparency,
                      .knobs = cellKnobs(result.id),
@@ -125,37 +151,25 @@ class Group {
     recordPlan(a.renderer->plan(), record);
     record.bytesByLabel = a.renderer->bytesByLabel();
     for (const auto& [label, bytes] : record.bytesByLabel) record.bytes += bytes;
-    warmUp(a, a.device->pipelines->createMs() - createdBefore);
-    const report::Picture picture = readPicture(a);
-    a.untimedPicture = contentHashOf(picture);
+    warmUp(a, session->pipelines->createMs() - createdBefore);
+    a.untimedPicture = contentHashOf(readPicture(a));
+    takeMessages(a);
     m_active.push_back(std::move(a));
   }
 
-  static void recordPlan(const Plan& plan, report::Record& record) {
-    for (Effect e : plan.planned.list()) record.effectsPlanned.emplace_back(effectName(e));
-    for (const auto& [e, why] : plan.skipped)
-      record.effectsSkipped.emplace_back(std::string(effectName(e)), why);
-    for (Effect e : plan.unrepresented) record.effectsUnrepresented.emplace_back(effectName(e));
-  }
-
-  /// Every pipeline and state is drawn twice and two successive windows agree, or ten windows.
+  /// Every pipeline and state is drawn twice before the windows begin.
   void warmUp(Active& a, double createMs) {
-    constexpr int kWindows = 10, kWindowFrames = 3;
     const double first = a.renderer->frame().wallMs;
     a.renderer->frame(FrameMode::Stamped);
     a.renderer->frame(FrameMode::Counted);
-    double previous = 0;
-    bool steady = false;
-    for (int w = 0; w < kWindows && !steady; ++w) {
+    WarmUp rule;
+    for (bool done = false; !done && !interrupted();) {
       std::vector<double> times;
-      for (int i = 0; i < kWindowFrames; ++i)
+      for (int i = 0; i < WarmUp::kWindowFrames; ++i)
         times.push_back(rankingMs(a.renderer->frame(), a.software));
-      const double now = report::median(times);
-      steady = w > 0 && std::abs(now - previous) <= 0.2 * std::max(now, previous) + 0.05;
-      previous = now;
-      if (interrupted()) return;
+      done = rule.add(report::median(times));
     }
-    if (!steady)
+    if (!rule.steady())
       a.result->record.warnings.push_back("ten warm-up windows did not agree: the time drifts");
     const double warm = a.renderer->frame().wallMs;
     a.samples.compileMs = createMs + std::max(0.0, first - warm);
@@ -167,23 +181,24 @@ class Group {
     return {a.result->id.width, a.result->id.height, a.renderer->readImage()};
   }
 
-  void measureBlocks() {
+  Stop measureBlocks() {
     const auto start = Clock::now();
     const double budget = m_settings.budgetSeconds * double(m_active.size());
     for (uint32_t round = 0; !m_active.empty(); ++round) {
-      // A B .. then B A: drift hits all alike.
-      for (size_t i = 0; i < m_active.size(); ++i) {
-        Active& a = m_active[round % 2 ? m_active.size() - 1 - i : i];
+      for (size_t i : roundOrder(m_active.size(), round)) {
+        Active& a = m_active[i];
         guarded(*a.result, [&] { measureBlock(a); });
-        if (interrupted()) return;
+        if (interrupted()) break;
       }
       const double spent = secondsSince(start) / std::max(1e-9, budget);
       report("measure", 0.3 + 0.6 * std::min(1.0, spent));
-      const uint32_t done = round + 1;
-      if (m_settings.blocks > 0 ? done >= m_settings.blocks
-                                : done >= m_settings.minBlocks && (spent >= 1 || allPrecise()))
-        break;
+      std::vector<double> widths;
+      for (const Active& a : m_active)
+        if (a.ok()) widths.push_back(relativeHalfWidth(blockMeans(a.samples, a.software)));
+      const Stop stop = stopNow(m_settings.stop, round + 1, spent, widths);
+      if (stop != Stop::Not || interrupted()) return stop;
     }
+    return Stop::Not;
   }
 
   void measureBlock(Active& a) {
@@ -191,85 +206,40 @@ class Group {
     const size_t pipelines = a.device->pipelines->size();
     for (uint32_t i = 0; i < a.framesPerBlock; ++i) block.frames.push_back(a.renderer->frame());
     if (a.device->pipelines->size() != pipelines)
-      addWarning(a, "contaminated: a pipeline was created within a timed frame");
+      addOnce(a.result->record.contamination, "a pipeline was created within a timed frame");
     a.samples.blocks.push_back(std::move(block));
+    takeMessages(a);
   }
 
-  static void addWarning(Active& a, const std::string& text) {
-    auto& warnings = a.result->record.warnings;
-    if (std::ranges::find(warnings, text) == warnings.end()) warnings.push_back(text);
+  /// What a device's validation said since the last call belongs to the cell that ran.
+  static void takeMessages(Active& a) {
+    for (const rhi::Message& m : a.device->device->takeMessages())
+      addOnce(a.result->record.warnings, "validation: " + m.source + " [" + m.rule + "] " + m.text);
   }
 
-  bool allPrecise() const {
-    return std::ranges::all_of(m_active, [&](const Active& a) {
-      if (a.result->record.status != report::Status::Ok) return true;
-      return halfWidth(a) <= m_settings.precision;
-    });
-  }
-  static double halfWidth(const Active& a) {
-    const auto means = blockMeans(a.samples, a.software);
-    const report::Interval interval = report::medianInterval(means);
-    return (interval.high - interval.low) / (2 * std::max(1e-9, report::median(means)));
-  }
-
-  void finish(Active& a) {
-    // The picture first: it must be of the last timed frame.
+  void finish(Active& a, Stop stop) {
     CellResult& result = *a.result;
+    report::Record& record = result.record;
+    // The picture first: it must be of the last timed frame.
     result.picture = readPicture(a);
-    result.record.picture = contentHashOf(result.picture);
-    result.record.stable = result.record.picture == a.untimedPicture;
-    result.record.nonfinite = countNonFinite(result.picture);
+    record.picture = contentHashOf(result.picture);
+    record.stable = record.picture == a.untimedPicture;
+    record.nonfinite = countNonFinite(result.picture);
     for (uint32_t i = 0; i < m_settings.stampedFrames; ++i)
       a.samples.stamped.push_back(a.renderer->frame(FrameMode::Stamped));
     a.samples.counted = a.renderer->frame(FrameMode::Counted);
-    summarise(a.samples, a.software, result.record);
-    if (halfWidth(a) > m_settings.precision)
-      addWarning(a, "stopped by the budget at ±" +
-                        std::to_string(int(std::ceil(100 * halfWidth(a)))) + " %, asked for ±" +
-                        std::to_string(int(std::lround(100 * m_settings.precision))) + " %");
-    for (const rhi::Message& m : a.device->device->takeMessages())
-      addWarning(a, "validation: " + m.source + " [" + m.rule + "] " + m.text);
-    if (m_devices.validating()) addWarning(a, "contaminated: validation is on");
+    takeMessages(a);
+    summarise(a.samples, a.software, record);
+    record.precision = relativeHalfWidth(blockMeans(a.samples, a.software));
+    record.stoppedBy = stop == Stop::Precision ? "precision"
+                       : stop == Stop::Budget  ? "budget"
+                                               : "repetitions";
+    if (m_devices.validating()) addOnce(record.contamination, "validation is on");
 #ifndef NDEBUG
-    addWarning(a, "contaminated: this is a debug build");
+    addOnce(record.contamination, "this is a debug build");
 #endif
-    refuseUnverified(result);
-  }
-
-  /// A number whose picture is wrong is worse than none.
-  static void refuseUnverified(CellResult& result) {
-    report::Record& r = result.record;
-    if (*r.nonfinite > 0)
-      r.reason = std::to_string(*r.nonfinite) + " values of the picture are not finite";
-    else if (!*r.stable)
-      r.reason = "the timed run's picture differs from the untimed one";
-    if (!r.reason.empty()) r.status = report::Status::Failed;
-  }
-
-  void compare() {
-    for (Active& a : m_active) {
-      if (a.result->record.status != report::Status::Ok) continue;
-      for (const Active& b : m_active) {
-        if (&a == &b || b.result->record.status != report::Status::Ok) continue;
-        const CellId &x = a.result->id, &y = b.result->id;
-        const bool baseline = y.technique == "none" && x.backend == y.backend;
-        const bool otherBackend = x.technique == y.technique && x.knobs == y.knobs &&
-                                  x.transparency == y.transparency && x.backend != y.backend;
-        if (otherBackend)
-          a.result->record.crossBackendMax255 =
-              std::max(a.result->record.crossBackendMax255.value_or(0),
-                       maxDifference255(a.result->picture, b.result->picture));
-        if (!baseline && !otherBackend) continue;
-        const bool software = a.software && b.software;
-        report::Ratio ratio = report::pairedRatio(blockMeans(a.samples, software),
-                                                  blockMeans(b.samples, software));
-        ratio.against = b.result->record.name;
-        ratio.of = software ? "cpu_ms" : "frame_ms";
-        a.result->record.ratios.push_back(std::move(ratio));
-      }
-      if (!a.result->record.crossBackendMax255)
-        a.result->record.why["cross_backend_max_255"] = "no other backend ran this cell";
-    }
+    if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
+    if (const std::string why = whyRefused(record); !why.empty()) report::refuse(record, why);
   }
 
   Devices& m_devices;

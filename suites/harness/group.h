@@ -8,17 +8,18 @@
 #include <functional>
 
 #include "suites/harness/devices.h"
+#include "suites/harness/protocol.h"
 #include "suites/harness/samples.h"
 
 namespace sb {
 
 struct MeasureSettings {
-  double budgetSeconds = 3;      ///< per cell, for plain frames
-  double precision = 0.05;       ///< relative half width of the median's 95 % interval
-  uint32_t minBlocks = 6;
-  uint32_t blocks = 0;           ///< not 0: exactly so many (--benchmark_repetitions)
-  double blockSeconds = 0.05;    ///< frames of a block last about so long
+  double budgetSeconds = 3;    ///< per cell, for plain frames
+  StopRule stop;
+  double blockSeconds = 0.05;  ///< frames of a block last about so long
   uint32_t stampedFrames = 5;
+  /// Devices whose timers fail their check give no times. Off: tests on devices without time.
+  bool checkTimers = true;
   /// Polled between frames: true stops at once; the group under way is given up.
   const std::atomic<bool>* interrupted = nullptr;
   /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done, 0..1.
@@ -33,7 +34,7 @@ struct CellResult {
 
 /// Results in the order of `cells`, companions included. A cell that cannot run is a skipped or
 /// failed record with its reason. Throws InputError when the scene cannot be loaded. Empty when
-/// interrupted.
+/// interrupted: none of them is finished then.
 std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
                                      const MeasureSettings& settings, const std::string& version);
 

@@ -22,6 +22,7 @@ struct Samples {
   std::vector<SampleBlock> blocks;       ///< plain frames
   std::vector<FrameResult> stamped;
   std::optional<FrameResult> counted;
+  std::string passesUntrusted;  ///< why the device's stamps of passes are not believed, or ""
 };
 
 /// The time that frames are ranked by, milliseconds: CPU time of all threads on software devices
@@ -32,7 +33,8 @@ double frameMs(const FrameResult& frame, bool software);
 /// Mean ranking time of each block.
 std::vector<double> blockMeans(const Samples& samples, bool software);
 
-/// Fills the time and count keys of a record.
+/// Fills the time and count keys of a record: combined = shadow + scene <= stamped frame. Figures
+/// whose timer is not trusted stay absent, with the reason. At least one plain frame is needed.
 void summarise(const Samples& samples, bool software, report::Record& record);
 
 }  // namespace sb

@@ -1,6 +1,7 @@
 #include "suites/harness/selection.h"
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 #include <tuple>
@@ -35,6 +36,8 @@ std::vector<Pair> selectPairs(const Selection& selection) {
       pairs.push_back({t, &transparencyTechnique(kDefaultTransparency)});
   for (const std::string& name : selection.techniques) {
     const auto parts = split(name, '+');
+    if (parts.size() > 2)
+      throw InputError("--technique", "found '" + name + "', expected TECHNIQUE[+TRANSPARENCY]");
     pairs.push_back({&shadowTechnique(parts[0]),
                      &transparencyTechnique(parts.size() > 1 ? parts[1] : kDefaultTransparency)});
   }
@@ -59,6 +62,9 @@ std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pai
     if (!known.contains(sweep.knob))
       throw InputError("--set", unknownName("knob", sweep.knob,
                                             std::vector(known.begin(), known.end())));
+    if (std::ranges::find(sweeps, sweep.knob, &Sweep::knob) != sweeps.end())
+      throw InputError("--set", "found the knob " + sweep.knob +
+                                    " twice, expected all its values in one list");
     sweeps.push_back(std::move(sweep));
   }
   return sweeps;
@@ -87,6 +93,56 @@ std::regex parseFilter(const std::string& filter) {
     return std::regex(filter);
   } catch (const std::regex_error& e) {
     throw InputError("--filter", "'" + filter + "' is no regular expression: " + e.what());
+  }
+}
+
+/// Edit distance of `pattern` to the nearest part of `text`, whatever stands around that part.
+size_t partDistance(std::string_view pattern, std::string_view text) {
+  std::vector<size_t> row(text.size() + 1, 0);
+  for (size_t i = 1; i <= pattern.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= text.size(); ++j) {
+      const size_t substitute = diagonal + (pattern[i - 1] == text[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return *std::ranges::min_element(row);
+}
+
+std::string noMatch(const std::string& filter, const std::vector<CellId>& cells) {
+  std::vector<std::pair<size_t, std::string>> ranked;
+  for (const CellId& id : cells)
+    ranked.emplace_back(partDistance(filter, cellName(id)), cellName(id));
+  std::ranges::stable_sort(ranked, {}, &std::pair<size_t, std::string>::first);
+  std::string text = "found '" + filter + "', which no cell's name matches; nearest: ";
+  for (size_t i = 0; i < std::min<size_t>(3, ranked.size()); ++i)
+    text += (i ? ", " : "") + ranked[i].second;
+  return text;
+}
+
+std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
+                                const std::vector<CellId>& cells) {
+  const std::regex regex = parseFilter(filter);
+  std::vector<CellId> kept;
+  for (const CellId& id : cells)
+    if (std::regex_search(cellName(id), regex) != exclude) kept.push_back(id);
+  if (kept.empty())
+    throw InputError("--filter", exclude ? "every cell's name matches '" + filter +
+                                               "', which is to be left out"
+                                         : noMatch(filter, cells));
+  return kept;
+}
+
+void addBaselines(std::vector<CellId>& group) {
+  std::set<std::string> present;
+  for (const CellId& c : group) present.insert(cellName(c));
+  for (size_t i = 0, asked = group.size(); i < asked; ++i) {
+    CellId baseline = baselineOf(group[i]);
+    if (!present.insert(cellName(baseline)).second) continue;
+    baseline.companion = true;
+    group.push_back(std::move(baseline));
   }
 }
 
@@ -127,43 +183,32 @@ std::vector<CellId> selectCells(const Selection& selection,
                     .seed = selection.seed};
           if (names.insert(cellName(id)).second) cells.push_back(std::move(id));
         }
-  if (!selection.filter.empty()) {
-    const std::regex filter = parseFilter(selection.filter);
-    std::vector<CellId> kept;
-    for (CellId& id : cells)
-      if (std::regex_search(cellName(id), filter)) kept.push_back(id);
-    if (kept.empty())
-      throw InputError("--filter", unknownName("filter", selection.filter,
-                                               std::vector(names.begin(), names.end())));
-    cells = std::move(kept);
-  }
+  if (!selection.filter.empty())
+    cells = applyFilter(selection.filter, selection.filterExcludes, cells);
   return cells;
 }
 
 std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most) {
-  std::vector<std::vector<CellId>> groups;
-  auto key = [](const CellId& c) { return std::tuple(c.scene, c.width, c.height, c.seed); };
+  // A cell on all its backends stays together: their pictures and times are compared.
+  std::vector<std::vector<CellId>> families;
+  std::map<std::string, size_t> familyOf;
   for (const CellId& cell : cells) {
+    CellId anyBackend = cell;
+    anyBackend.backend = "*";
+    const auto [it, isNew] = familyOf.try_emplace(cellName(anyBackend), families.size());
+    if (isNew) families.emplace_back();
+    families[it->second].push_back(cell);
+  }
+  auto key = [](const CellId& c) { return std::tuple(c.scene, c.width, c.height, c.seed); };
+  std::vector<std::vector<CellId>> groups;
+  for (const auto& family : families) {
     auto group = std::ranges::find_if(groups, [&](const auto& g) {
-      return key(g.front()) == key(cell) && g.size() < most;
+      return key(g.front()) == key(family.front()) && g.size() + family.size() <= most;
     });
-    if (group == groups.end()) groups.push_back({cell});
-    else group->push_back(cell);
+    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<CellId>());
+    group->insert(group->end(), family.begin(), family.end());
   }
-  for (auto& group : groups) {
-    std::set<std::string> missing, present;
-    for (const CellId& c : group) (c.technique == "none" ? present : missing).insert(c.backend);
-    for (const std::string& backend : missing) {
-      if (present.contains(backend)) continue;
-      CellId baseline = group.front();
-      baseline.technique = "none";
-      baseline.transparency = kDefaultTransparency;
-      baseline.backend = backend;
-      baseline.knobs.clear();
-      baseline.companion = true;
-      group.push_back(std::move(baseline));
-    }
-  }
+  for (auto& group : groups) addBaselines(group);
   return groups;
 }
 

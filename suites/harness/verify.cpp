@@ -23,12 +23,28 @@ int maxDifference255(const report::Picture& a, const report::Picture& b) {
 }
 
 uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b) {
+  if (a.width != b.width || a.height != b.height) return uint64_t(a.width) * a.height;
   const auto x = report::toSrgb8(a), y = report::toSrgb8(b);
   uint64_t count = 0;
   for (size_t i = 0; i + 2 < x.size(); i += 3)
     count += std::abs(int(x[i]) - int(y[i])) > 1 || std::abs(int(x[i + 1]) - int(y[i + 1])) > 1 ||
              std::abs(int(x[i + 2]) - int(y[i + 2])) > 1;
   return count;
+}
+
+bool isUniform(const report::Picture& picture) {
+  for (size_t i = 4; i < picture.rgba.size(); ++i)
+    if (picture.rgba[i] != picture.rgba[i % 4]) return false;
+  return true;
+}
+
+std::string whyRefused(const report::Record& record) {
+  if (!record.stable || !record.nonfinite) return "the picture was not verified";
+  if (record.drawCount == 0) return "nothing of the scene was drawn";
+  if (*record.nonfinite > 0)
+    return std::to_string(*record.nonfinite) + " values of the picture are not finite";
+  if (!*record.stable) return "the timed run's picture differs from the untimed one";
+  return "";
 }
 
 }  // namespace sb

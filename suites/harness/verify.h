@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reports/picture.h"
+#include "reports/record.h"
 
 namespace sb {
 
@@ -18,5 +19,12 @@ uint64_t countNonFinite(const report::Picture& picture);
 int maxDifference255(const report::Picture& a, const report::Picture& b);
 /// Pixels that differ by more than one such step in any channel.
 uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b);
+
+/// All pixels have one value, as when nothing of the scene was drawn.
+bool isUniform(const report::Picture& picture);
+
+/// Why a verified record cannot be believed, or "": pictures that are not finite or not those of the
+/// untimed run, scenes of which nothing was drawn.
+std::string whyRefused(const report::Record& record);
 
 }  // namespace sb

@@ -1,0 +1,70 @@
+#include "suites/harness/compare.h"
+
+#include <algorithm>
+
+#include "reports/stats/stats.h"
+#include "suites/harness/verify.h"
+
+namespace sb {
+namespace {
+
+using report::Record;
+
+bool isOk(const Measured& m) { return m.result->record.status == report::Status::Ok; }
+
+bool isSameOnOtherBackend(const CellId& a, CellId b) {
+  if (a.backend == b.backend) return false;
+  b.backend = a.backend;
+  return cellName(a) == cellName(b);
+}
+
+void comparePictures(Record& record, const report::Picture& mine, const report::Picture& other) {
+  record.crossBackendMax255 =
+      std::max(record.crossBackendMax255.value_or(0), maxDifference255(mine, other));
+  record.crossBackendOver1 =
+      std::max(record.crossBackendOver1.value_or(0), pixelsBeyondOneStep(mine, other));
+}
+
+report::Ratio ratioOf(const Measured& a, const Measured& b) {
+  const bool software = a.software && b.software;
+  report::Ratio ratio =
+      report::pairedRatio(blockMeans(*a.samples, software), blockMeans(*b.samples, software));
+  ratio.kind = a.result->id.backend == b.result->id.backend ? "baseline" : "backend";
+  ratio.against = b.result->record.name;
+  ratio.of = software ? "cpu_ms" : "frame_ms";
+  return ratio;
+}
+
+void explainAbsence(Record& record) {
+  if (record.ratios.empty() && !record.why.contains("ratios"))
+    record.why["ratios"] = "nothing to compare with was measured beside this cell";
+  if (record.crossBackendMax255) return;
+  for (const char* key : {"cross_backend_max_255", "cross_backend_over_1_255"})
+    record.why[key] = "no other backend ran this cell";
+}
+
+}  // namespace
+
+void compareCells(std::span<const Measured> cells) {
+  for (const Measured& a : cells) {
+    Record& record = a.result->record;
+    if (!isOk(a)) continue;
+    const std::string baseline = cellName(baselineOf(a.result->id));
+    for (const Measured& b : cells) {
+      if (&a == &b || !isOk(b)) continue;
+      const bool other = isSameOnOtherBackend(a.result->id, b.result->id);
+      if (other) comparePictures(record, a.result->picture, b.result->picture);
+      if (!other && b.result->record.name != baseline) continue;
+      if (!record.contamination.empty())
+        record.why["ratios"] = "contaminated: " + record.contamination.front();
+      else if (!b.result->record.contamination.empty())
+        record.why["ratios"] = b.result->record.name +
+                               " is contaminated: " + b.result->record.contamination.front();
+      else
+        record.ratios.push_back(ratioOf(a, b));
+    }
+    explainAbsence(record);
+  }
+}
+
+}  // namespace sb

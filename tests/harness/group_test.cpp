@@ -1,0 +1,108 @@
+// A group measured on the null backend, which draws nothing: what is called, recorded and refused.
+#include "suites/harness/group.h"
+
+#include <gtest/gtest.h>
+
+#include "backends/null/null_backend.h"
+
+namespace shadowbench_shader_blob {
+void addTo(rhi::ShaderLibrary& library);
+}
+
+namespace sb {
+namespace {
+
+/// The null backend under another name, or one that does not start.
+class Named final : public rhi::Backend {
+ public:
+  Named(std::string name, bool starts) : m_name(std::move(name)), m_starts(starts) {}
+  std::string_view name() const override { return m_name; }
+  std::vector<rhi::DeviceInfo> enumerate() override { return m_inner->enumerate(); }
+  std::unique_ptr<rhi::Device> open(const rhi::DeviceRequest& request) override {
+    if (!m_starts) throw rhi::Error("open", "", "no driver");
+    return m_inner->open(request);
+  }
+
+ private:
+  std::string m_name;
+  bool m_starts;
+  std::unique_ptr<rhi::Backend> m_inner = null_backend::makeBackend();
+};
+
+class NullGroup : public testing::Test {
+ protected:
+  NullGroup() { shadowbench_shader_blob::addTo(m_shaders); }
+
+  static CellId cell(const std::string& technique, const std::string& backend) {
+    return {.technique = technique, .transparency = "Sorted", .backend = backend,
+            .scene = "layers", .width = 16, .height = 16};
+  }
+  static MeasureSettings settings() {
+    MeasureSettings s;
+    s.stop.repetitions = 3;
+    s.blockSeconds = 0;
+    s.checkTimers = false;
+    return s;
+  }
+  std::vector<CellResult> measure(const std::vector<CellId>& cells, const MeasureSettings& s) {
+    Devices devices({&m_vulkan, &m_opengl, &m_broken}, m_shaders, {});
+    return measureGroup(cells, devices, s, "test");
+  }
+
+  rhi::ShaderLibrary m_shaders;
+  Named m_vulkan{"vulkan", true}, m_opengl{"opengl", true}, m_broken{"opengl-osmesa", false};
+};
+
+TEST_F(NullGroup, FillsARecordOfEveryCell) {
+  const auto results = measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan"),
+                                cell("ShadowMap", "opengl")},
+                               settings());
+  ASSERT_EQ(results.size(), 3u);
+  for (const CellResult& result : results) {
+    const report::Record& r = result.record;
+    ASSERT_EQ(r.status, report::Status::Ok) << r.name << ": " << r.reason;
+    EXPECT_EQ(r.timeSource, "software");
+    EXPECT_EQ(r.blocks.size(), 3u);
+    EXPECT_EQ(r.stoppedBy, "repetitions");
+    EXPECT_TRUE(r.stable.value_or(false));
+    EXPECT_EQ(r.nonfinite, 0u);
+    EXPECT_GT(r.drawCount, 0u);
+    EXPECT_GT(r.bytes, 0u);
+    EXPECT_EQ(r.sceneHash.size(), 16u);
+    EXPECT_FALSE(r.knobs.empty() && r.technique != "none");
+  }
+  EXPECT_GT(results[1].record.passCount, results[0].record.passCount);
+  EXPECT_EQ(results[1].record.crossBackendMax255, 0);
+  EXPECT_EQ(results[1].record.sceneHash, results[0].record.sceneHash);
+}
+
+TEST_F(NullGroup, ABackendThatDoesNotStartIsSkippedWithTheReason) {
+  const auto results =
+      measure({cell("none", "opengl-osmesa"), cell("none", "vulkan")}, settings());
+  EXPECT_EQ(results[0].record.status, report::Status::Skipped);
+  EXPECT_NE(results[0].record.reason.find("no driver"), std::string::npos);
+  EXPECT_EQ(results[1].record.status, report::Status::Ok);
+}
+
+TEST_F(NullGroup, InterruptionGivesTheGroupUp) {
+  std::atomic<bool> interrupted = false;
+  MeasureSettings s = settings();
+  s.interrupted = &interrupted;
+  s.progress = [&](const std::string& what, double) { interrupted = what == "measure"; };
+  EXPECT_TRUE(measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan")}, s).empty());
+  interrupted = true;
+  EXPECT_TRUE(measure({cell("none", "vulkan")}, s).empty());
+}
+
+TEST_F(NullGroup, DevicesWithoutTrustedTimersGiveNoTimes) {
+  MeasureSettings s = settings();
+  s.checkTimers = true;
+  // The null device draws nothing: twice the work takes no longer.
+  const auto results = measure({cell("none", "vulkan")}, s);
+  EXPECT_EQ(results[0].record.status, report::Status::Failed);
+  EXPECT_NE(results[0].record.reason.find("timer not trusted"), std::string::npos);
+  EXPECT_FALSE(results[0].record.frame);
+}
+
+}  // namespace
+}  // namespace sb

@@ -1,0 +1,7 @@
+# Tests of the measuring half that need no driver.
+target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/compare_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/group_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/protocol_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/samples_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/selection_test.cpp)

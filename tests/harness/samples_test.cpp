@@ -1,0 +1,152 @@
+// From frames to a record.
+#include "suites/harness/samples.h"
+
+#include <gtest/gtest.h>
+
+#include "suites/harness/verify.h"
+
+namespace sb {
+namespace {
+
+FrameResult plain(double wallMs, double cpuMs) {
+  FrameResult f;
+  f.recordMs = 0.1;
+  f.submitMs = 0.2;
+  f.wallMs = wallMs;
+  f.cpuMs = cpuMs;
+  f.counters.passes = 2;
+  f.counters.draws = 3;
+  return f;
+}
+
+FrameResult stamped(double shadowMs, double sceneMs, double wallMs) {
+  FrameResult f = plain(wallMs, wallMs);
+  f.stampedMs = shadowMs + sceneMs + 0.01;
+  f.passes = {{.label = "map", .group = PassGroup::Shadow, .counters = {}, .ms = shadowMs, .fragments = {}},
+              {.label = "camera", .group = PassGroup::Scene, .counters = {}, .ms = sceneMs, .fragments = {}}};
+  return f;
+}
+
+Samples samplesOf() {
+  Samples s;
+  s.compileMs = 12;
+  s.blocks = {{{plain(1, 2), plain(3, 4)}}, {{plain(5, 6), plain(7, 8)}}};
+  // Medians of the parts are 2 and 4, which no frame shows together.
+  s.stamped = {stamped(1, 4, 5.1), stamped(2, 9, 11.1), stamped(6, 2, 8.1)};
+  return s;
+}
+
+TEST(Samples, SoftwareFramesAreWallTimeRankedByCpuTime) {
+  report::Record r;
+  summarise(samplesOf(), true, r);
+  EXPECT_EQ(r.timeSource, "software");
+  EXPECT_EQ(r.frame->median, 4);
+  EXPECT_EQ(r.cpu->median, 5);
+  EXPECT_EQ(r.frame->n, 4u);
+  EXPECT_FALSE(r.device_);
+  EXPECT_TRUE(r.why.contains("device_ms"));
+  ASSERT_EQ(r.blocks.size(), 2u);
+  EXPECT_EQ(r.blocks[1].frameMs, 6);
+  EXPECT_EQ(r.blocks[1].cpuMs, 7);
+  EXPECT_EQ(blockMeans(samplesOf(), true), (std::vector<double>{3, 7}));
+  EXPECT_EQ(r.drawCount, 3u);
+  EXPECT_EQ(*r.compileMs, 12);
+}
+
+TEST(Samples, PassesAddUpToNoMoreThanTheStampedFrame) {
+  report::Record r;
+  summarise(samplesOf(), true, r);
+  ASSERT_TRUE(r.combinedMs);
+  EXPECT_EQ(*r.combinedMs, *r.shadowMs + *r.sceneMs);
+  EXPECT_LE(*r.combinedMs, *r.stampedFrameMs);
+  ASSERT_EQ(r.passes.size(), 2u);
+  EXPECT_EQ(r.passes[0].ms + r.passes[1].ms, *r.combinedMs);
+  EXPECT_LE(r.passes[0].share + r.passes[1].share, 1);
+  EXPECT_EQ(*r.shadowMs, 6) << "of the frame in the middle";
+}
+
+TEST(Samples, GraphicsDevicesAreTimedByTheirStampsAlone) {
+  Samples s = samplesOf();
+  for (SampleBlock& b : s.blocks)
+    for (FrameResult& f : b.frames) f.deviceMs = f.wallMs / 2;
+  report::Record r;
+  summarise(s, false, r);
+  EXPECT_EQ(r.timeSource, "gpu-timestamp");
+  EXPECT_EQ(r.frame->median, 2);
+  report::Record noStamps;
+  summarise(samplesOf(), false, noStamps);
+  EXPECT_EQ(noStamps.timeSource, "wall") << "without stamps it is no time of the device";
+}
+
+TEST(Samples, DeviceTimeBeyondWallTimeIsRefused) {
+  Samples s = samplesOf();
+  for (SampleBlock& b : s.blocks)
+    for (FrameResult& f : b.frames) f.deviceMs = f.wallMs * 2;
+  report::Record r;
+  summarise(s, true, r);
+  EXPECT_FALSE(r.device_);
+  EXPECT_NE(r.why["device_ms"].find("not trusted"), std::string::npos);
+}
+
+TEST(Samples, PassesThatMissWorkAreRefused) {
+  Samples s = samplesOf();
+  for (FrameResult& f : s.stamped) f.wallMs *= 3;
+  report::Record r;
+  summarise(s, true, r);
+  EXPECT_TRUE(r.passes.empty());
+  EXPECT_FALSE(r.shadowMs || r.sceneMs || r.combinedMs || r.stampedFrameMs);
+  EXPECT_NE(r.why["shadow_ms"].find("not trusted"), std::string::npos);
+  EXPECT_TRUE(r.frame) << "the frame's own time does not rest on the stamps";
+}
+
+TEST(Samples, OneDisturbedFrameDoesNotDamnTheTimer) {
+  Samples s = samplesOf();
+  s.stamped[0].wallMs *= 3;
+  s.stamped[1].wallMs *= 3;
+  report::Record r;
+  summarise(s, true, r);
+  EXPECT_FALSE(r.passes.empty());
+}
+
+TEST(Samples, TheDevicesVerdictOnItsStampsCounts) {
+  Samples s = samplesOf();
+  s.passesUntrusted = "timer not trusted: so said the check";
+  report::Record r;
+  summarise(s, false, r);
+  EXPECT_EQ(r.why["passes"], s.passesUntrusted);
+}
+
+TEST(Verify, RefusesWhatCannotBeBelieved) {
+  report::Record good;
+  good.stable = true;
+  good.nonfinite = 0;
+  good.drawCount = 1;
+  EXPECT_EQ(whyRefused(good), "");
+  auto with = [&](auto change) {
+    report::Record r = good;
+    change(r);
+    return whyRefused(r);
+  };
+  EXPECT_NE(with([](auto& r) { r.stable = false; }), "");
+  EXPECT_NE(with([](auto& r) { r.stable = {}; }), "");
+  EXPECT_NE(with([](auto& r) { r.nonfinite = 2; }), "");
+  EXPECT_NE(with([](auto& r) { r.nonfinite = {}; }), "");
+  EXPECT_NE(with([](auto& r) { r.drawCount = 0; }), "");
+}
+
+TEST(Verify, CountsWhatDiffers) {
+  report::Picture a{2, 1, {0, 0, 0, 1, 1, 0.5f, 0, 1}}, b = a;
+  EXPECT_EQ(maxDifference255(a, b), 0);
+  EXPECT_FALSE(isUniform(a));
+  b.rgba[4] = 0;
+  EXPECT_EQ(maxDifference255(a, b), 255);
+  EXPECT_EQ(pixelsBeyondOneStep(a, b), 1u);
+  b.rgba[5] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(countNonFinite(b), 1u);
+  EXPECT_NE(contentHashOf(a), contentHashOf(b));
+  EXPECT_EQ(maxDifference255(a, {1, 1, {0, 0, 0, 1}}), 255);
+  EXPECT_TRUE(isUniform({2, 1, {0, 0, 0, 1, 0, 0, 0, 1}}));
+}
+
+}  // namespace
+}  // namespace sb

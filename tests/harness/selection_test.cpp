@@ -1,0 +1,181 @@
+// From arguments to cells, names and groups.
+#include "suites/harness/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+const std::vector<std::string> kKnown = {"vulkan", "opengl", "opengl-osmesa"};
+const std::vector<std::string> kDefault = {"vulkan", "opengl"};
+
+std::vector<CellId> select(const Selection& s) { return selectCells(s, kKnown, kDefault); }
+
+std::string errorOf(const Selection& s) {
+  try {
+    select(s);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Selection, DefaultIsAllTechniquesOnFourScenesAndTwoBackends) {
+  const auto cells = select({});
+  std::set<std::string> techniques, scenes, names;
+  for (const CellId& c : cells) {
+    techniques.insert(c.technique);
+    scenes.insert(c.scene);
+    EXPECT_TRUE(names.insert(cellName(c)).second) << cellName(c);
+  }
+  EXPECT_EQ(scenes.size(), 4u);
+  EXPECT_EQ(cells.size(), techniques.size() * 4 * 2);
+}
+
+TEST(Selection, NamesSayWhatDiffersFromTheDefaultAndNoMore) {
+  const auto cells = select({.techniques = {"CSSM2+Sorted"},
+                             .backends = {"opengl-osmesa"},
+                             .scenes = {"spheres_quads:size=0.5,quads=7"},
+                             .sets = {"kernel=1,3.0", "size=1024"},
+                             .filter = "",
+                             .size = {{64, 32}},
+                             .seed = 5});
+  ASSERT_EQ(cells.size(), 2u);
+  std::set<std::string> names;
+  for (const CellId& c : cells) names.insert(cellName(c));
+  for (const std::string& name : names) {
+    EXPECT_TRUE(std::regex_match(name, std::regex("CSSM2/opengl-osmesa/spheres_quads:quads=7,size=0.5"
+                                                  "(/kernel:[13])?/seed:5/64x32")))
+        << name;
+  }
+}
+
+// TECHNIQUE[+TRANSPARENCY]/backend/scene/knob:value.../WxH
+TEST(Selection, NamesCanBeTakenApart) {
+  const std::regex form(
+      R"(([A-Za-z0-9]+)(\+[A-Za-z0-9]+)?/([a-z-]+)/([^/]+)((/[A-Za-z0-9_]+:[^/:]+)*)/(\d+)x(\d+))");
+  Selection s;
+  s.sets = {"size=512,2048", "kernel=1,5"};
+  s.seed = 3;
+  for (const CellId& c : select(s)) {
+    std::smatch parts;
+    const std::string name = cellName(c);
+    ASSERT_TRUE(std::regex_match(name, parts, form)) << name;
+    EXPECT_EQ(parts[1], c.technique);
+    EXPECT_EQ(parts[3], c.backend);
+    EXPECT_EQ(parts[4], c.scene);
+    EXPECT_EQ(parts[7], "512");
+  }
+}
+
+TEST(Selection, ASweepIsEveryCombinationOnce) {
+  const auto cells = select({.techniques = {"ShadowMap"},
+                             .backends = {"vulkan"},
+                             .scenes = {"layers"},
+                             .sets = {"size=512,1024,512", "kernel=1,3"},
+                             .filter = {},
+                             .size = {}});
+  EXPECT_EQ(cells.size(), 4u);
+}
+
+TEST(Selection, KnobsOfOneTechniqueLeaveOthersAlone) {
+  const auto cells = select({.techniques = {"none", "ShadowMap"},
+                             .backends = {"vulkan"},
+                             .scenes = {"layers"},
+                             .sets = {"kernel=1,3"},
+                             .filter = {},
+                             .size = {}});
+  EXPECT_EQ(cells.size(), 3u);
+}
+
+TEST(Selection, CommandsReproduceTheCell) {
+  CellId id = {.technique = "CSSM2",
+               .transparency = "Sorted",
+               .backend = "vulkan",
+               .scene = "/tmp/it's a $cene.glb",
+               .knobs = {{"kernel", "3"}},
+               .width = 8,
+               .height = 4,
+               .seed = 2};
+  EXPECT_EQ(cellCommand(id),
+            "./bench --technique CSSM2 --backend vulkan --scene '/tmp/it'\\''s a $cene.glb' --set "
+            "kernel=3 --seed 2 --size 8x4");
+}
+
+TEST(Selection, ErrorsNameTheNearest) {
+  EXPECT_NE(errorOf({.techniques = {"CSM2"}, .filter = {}, .size = {}}).find("CSSM2"),
+            std::string::npos);
+  EXPECT_NE(errorOf({.backends = {"vulcan"}, .filter = {}, .size = {}}).find("vulkan"),
+            std::string::npos);
+  EXPECT_NE(errorOf({.scenes = {"layer"}, .filter = {}, .size = {}}).find("layers"),
+            std::string::npos);
+  EXPECT_NE(errorOf({.sets = {"kernal=3"}, .filter = {}, .size = {}}).find("kernel"),
+            std::string::npos);
+  EXPECT_NE(errorOf({.filter = "CSM2/vulkan/windo", .size = {}}).find("CSSM2/vulkan/window/512x512"),
+            std::string::npos);
+}
+
+TEST(Selection, ErrorsSayWhatWasExpected) {
+  for (const char* bad : {"kernel", "kernel=", "kernel=4", "kernel=1000", "kernel=x", "kernel=3,"})
+    EXPECT_NE(errorOf({.techniques = {"CSSM2"}, .sets = {bad}, .filter = {}, .size = {}})
+                  .find("expected"),
+              std::string::npos)
+        << bad;
+  EXPECT_NE(errorOf({.sets = {"kernel=1", "kernel=3"}, .filter = {}, .size = {}}).find("twice"),
+            std::string::npos);
+  EXPECT_NE(errorOf({.techniques = {"CSSM2+Sorted+x"}, .filter = {}, .size = {}}), "");
+  EXPECT_NE(errorOf({.filter = "(", .size = {}}).find("regular expression"), std::string::npos);
+  EXPECT_NE(errorOf({.filter = ".", .filterExcludes = true, .size = {}}), "");
+}
+
+TEST(Selection, FiltersKeepOrLeaveOut) {
+  for (const CellId& c : select({.filter = "^CSSM2/vulkan", .size = {}}))
+    EXPECT_TRUE(c.technique == "CSSM2" && c.backend == "vulkan");
+  for (const CellId& c : select({.filter = "CSSM2", .filterExcludes = true, .size = {}}))
+    EXPECT_NE(c.technique, "CSSM2");
+}
+
+TEST(Groups, EveryCellHasItsBaselineBesideIt) {
+  const auto groups = groupCells(select({.filter = "CSSM2", .size = {}}));
+  EXPECT_EQ(groups.size(), 4u) << "one a scene";
+  for (const auto& group : groups) {
+    std::set<std::string> names;
+    for (const CellId& c : group) {
+      names.insert(cellName(c));
+      EXPECT_EQ(c.companion, c.technique == "none");
+    }
+    for (const CellId& c : group) EXPECT_TRUE(names.contains(cellName(baselineOf(c))));
+    EXPECT_EQ(names.size(), 4u);
+  }
+}
+
+TEST(Groups, BaselinesThatWereAskedForAreNoCompanions) {
+  for (const auto& group : groupCells(select({})))
+    for (const CellId& c : group) EXPECT_FALSE(c.companion);
+}
+
+TEST(Groups, BackendsOfACellStayTogether) {
+  // Three backends do not divide the limit of four.
+  const auto cells = select({.techniques = {"ShadowMap"},
+                             .backends = kKnown,
+                             .scenes = {"layers"},
+                             .sets = {"size=256,512,2048"},
+                             .filter = {},
+                             .size = {}});
+  const auto groups = groupCells(cells, 4);
+  EXPECT_EQ(groups.size(), 3u);
+  for (const auto& group : groups) {
+    std::set<std::string> backends;
+    for (const CellId& c : group)
+      if (!c.companion) backends.insert(c.backend);
+    EXPECT_EQ(backends.size(), 3u);
+  }
+}
+
+}  // namespace
+}  // namespace sb

@@ -1,0 +1,117 @@
+// The exact text of every output, from a run made by hand, and CSV and JSON read back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "reports/console.h"
+#include "reports/csv.h"
+#include "reports/json.h"
+#include "tests/reports/sample_run.h"
+
+namespace report {
+namespace {
+
+/// What tests/reports/expected/`name` holds. After a change that is meant, write the file anew with
+/// SHADOWBENCH_WRITE_EXPECTED=1 and read the difference.
+std::string expected(const std::string& name, const std::string& found) {
+  const std::string path = std::string(SHADOWBENCH_SOURCE_DIR) + "/tests/reports/expected/" + name;
+  if (std::getenv("SHADOWBENCH_WRITE_EXPECTED")) std::ofstream(path) << found;
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// RFC 4180, with LF between records.
+std::vector<std::vector<std::string>> readCsv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool inside = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    std::string& field = rows.back().back();
+    if (inside) {
+      if (text[i] != '"') field += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"') field += text[++i];
+      else inside = false;
+    } else if (text[i] == '"') {
+      EXPECT_TRUE(field.empty()) << "a quote within a bare field";
+      inside = true;
+    } else if (text[i] == ',') {
+      rows.back().emplace_back();
+    } else if (text[i] == '\n') {
+      if (i + 1 < text.size()) rows.push_back({""});
+    } else {
+      field += text[i];
+    }
+  }
+  EXPECT_FALSE(inside);
+  return rows;
+}
+
+TEST(Output, TableIsExact) {
+  const std::string table = toTable(sampleRun());
+  EXPECT_EQ(table, expected("table.txt", table));
+}
+
+TEST(Output, TableNeverSaysGpuOfASoftwareDevice) {
+  EXPECT_EQ(toTable(sampleRun()).find("GPU"), std::string::npos);
+}
+
+TEST(Output, JsonIsExact) {
+  const std::string json = toJson(sampleRun());
+  EXPECT_EQ(json, expected("run.json", json));
+}
+
+TEST(Output, JsonOfCellsWithoutResultHasNoTimes) {
+  int without = 0;
+  const auto json = nlohmann::json::parse(toJson(sampleRun()));
+  for (const auto& entry : json["benchmarks"]) {
+    if (entry.value("status", "ok") == "ok") continue;
+    ++without;
+    EXPECT_TRUE(entry["error_occurred"]);
+    for (const auto& [key, value] : entry.items()) {
+      EXPECT_FALSE(key.find("time") != std::string::npos) << key;
+      EXPECT_FALSE(key.ends_with("_ms")) << key;
+    }
+  }
+  EXPECT_EQ(without, 2);
+}
+
+TEST(Output, JsonOfAbsentValuesIsNullWithAReason) {
+  const auto json = nlohmann::json::parse(toJson(sampleRun()));
+  for (const auto& entry : json["benchmarks"])
+    for (const auto& [key, value] : entry.items())
+      EXPECT_TRUE(!value.is_null() || entry.contains(key + "_why")) << entry["name"] << ' ' << key;
+}
+
+TEST(Output, CsvIsExact) {
+  const std::string csv = toCsv(sampleRun());
+  EXPECT_EQ(csv, expected("run.csv", csv));
+}
+
+TEST(Output, CsvReadsBack) {
+  const auto rows = readCsv(toCsv(sampleRun()));
+  ASSERT_EQ(rows.size(), 5u);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  auto field = [&](size_t row, const std::string& name) {
+    const auto column = std::ranges::find(rows[0], name);
+    EXPECT_NE(column, rows[0].end()) << name;
+    return rows[row][size_t(column - rows[0].begin())];
+  };
+  EXPECT_EQ(field(1, "name"), "ShadowMap/vulkan/layers/64x32");
+  EXPECT_EQ(field(1, "device"), "llvmpipe, 256 bits");
+  EXPECT_EQ(field(1, "driver"), "Mesa \"22\"");
+  EXPECT_EQ(field(1, "seed"), "4294967295");
+  EXPECT_EQ(field(1, "cpu_ms_cv"), "0.0625");
+  EXPECT_EQ(field(1, "ratio_baseline_low"), "1.5");
+  EXPECT_EQ(field(2, "cross_backend_over_1_255"), "17");
+  EXPECT_EQ(field(3, "status"), "skipped");
+  EXPECT_EQ(field(3, "draw_count"), "");
+  EXPECT_EQ(field(4, "reason"), "3 values of the picture are not finite,\nor so");
+  EXPECT_EQ(field(4, "frame_ms_median"), "");
+}
+
+}  // namespace
+}  // namespace report

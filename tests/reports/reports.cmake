@@ -1,0 +1,8 @@
+# Tests of reports: statistics, and the exact text of every output.
+target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/atomic_file_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sample_run.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/stats_test.cpp)
+find_package(nlohmann_json REQUIRED)
+target_link_libraries(unit_tests PRIVATE nlohmann_json::nlohmann_json)

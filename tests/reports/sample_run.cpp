@@ -1,0 +1,112 @@
+#include "tests/reports/sample_run.h"
+
+namespace report {
+namespace {
+
+Record identity(const std::string& technique, const std::string& backend) {
+  Record r = {.name = technique + "/" + backend + "/layers/64x32",
+              .technique = technique,
+              .transparency = "Sorted",
+              .backend = backend,
+              .scene = "layers",
+              .sceneHash = "0123456789abcdef",
+              .width = 64,
+              .height = 32,
+              .knobs = {{"kernel", "3"}, {"size", "1024"}},
+              .seed = 4294967295u,
+              .version = "0.1.0",
+              .command = "./bench --technique " + technique};
+  for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
+    r.why[key] = "no truth, \"yet\"";
+  return r;
+}
+
+Record good() {
+  Record r = identity("ShadowMap", "vulkan");
+  r.device = "llvmpipe, 256 bits";
+  r.deviceType = "software";
+  r.driver = "Mesa \"22\"";
+  r.effectsPlanned = {"opaque casters"};
+  r.effectsSkipped = {{"area lights", "every light is a point"}};
+  r.effectsUnrepresented = {"translucent casters"};
+  r.timeSource = "software";
+  r.frame = Distribution{.median = 2.5, .q1 = 2.25, .q3 = 3, .cv = 0.125, .n = 4};
+  r.wall = r.frame;
+  r.cpu = Distribution{.median = 5, .q1 = 4.5, .q3 = 5.5, .cv = 0.0625, .n = 4};
+  r.record = Distribution{.median = 0.25, .q1 = 0.25, .q3 = 0.25, .cv = 0, .n = 4};
+  r.why["device_ms"] = "plain frames carry no stamps";
+  r.submitMs = 0.5;
+  r.compileMs = 400;
+  r.passes = {{.label = "shadow map", .ms = 1, .share = 0.25, .draws = 1, .triangles = 12,
+               .fragments = 4096},
+              {.label = "camera", .ms = 2, .share = 0.5, .draws = 2, .triangles = 24}};
+  r.shadowMs = 1;
+  r.sceneMs = 2;
+  r.combinedMs = 3;
+  r.stampedFrameMs = 4;
+  r.ratios = {{.kind = "baseline", .against = "none/vulkan/layers/64x32", .of = "cpu_ms",
+               .value = 2, .low = 1.5, .high = 2.5, .n = 2},
+              {.kind = "backend", .against = "ShadowMap/opengl/layers/64x32", .of = "cpu_ms",
+               .value = 1.25, .low = 1.125, .high = 1.5, .n = 2}};
+  r.blocks = {{.frames = 2, .frameMs = 2.5, .cpuMs = 5}, {.frames = 2, .frameMs = 3, .cpuMs = 4}};
+  r.stoppedBy = "precision";
+  r.precision = 0.04;
+  r.passCount = 2;
+  r.drawCount = 3;
+  r.triangleCount = 36;
+  r.bytes = 3 << 20;
+  r.bytesByLabel = {{"camera colour", 1 << 20}, {"shadow map", 2 << 20}};
+  r.stable = true;
+  r.crossBackendMax255 = 1;
+  r.crossBackendOver1 = 0;
+  r.nonfinite = 0;
+  r.picture = "fedcba9876543210";
+  return r;
+}
+
+Record disturbed() {
+  Record r = good();
+  r.name = "ShadowMap/opengl/layers/64x32";
+  r.backend = "opengl";
+  r.crossBackendMax255 = 9;
+  r.crossBackendOver1 = 17;
+  r.ratios.clear();
+  r.why["ratios"] = "contaminated: other programs used 80 % of the CPUs";
+  r.contamination = {"other programs used 80 % of the CPUs"};
+  r.stoppedBy = "budget";
+  r.warnings = {"ten warm-up windows did not agree: the time drifts"};
+  r.passes.clear();
+  r.shadowMs = r.sceneMs = r.combinedMs = r.stampedFrameMs = {};
+  for (const char* key : {"passes", "shadow_ms", "scene_ms", "combined_ms", "stamped_frame_ms"})
+    r.why[key] = "timer not trusted";
+  return r;
+}
+
+}  // namespace
+
+Run sampleRun() {
+  Run run = {.date = "2022-01-01T00:00:00+0000",
+             .host = "host",
+             .executable = "bench",
+             .version = "0.1.0",
+             .buildType = "release",
+             .cpus = 2,
+             .cpuMHz = 2500,
+             .cpuScaling = true,
+             .loadAverage = {0.5, 0.25, 0.125},
+             .warnings = {"backend opengl-osmesa does not start: no library"},
+             .records = {good(), disturbed()}};
+  Record skipped = identity("CSSM2", "vulkan");
+  skipped.status = Status::Skipped;
+  skipped.reason = "the device lacks geometry-shader";
+  run.records.push_back(skipped);
+  Record failed = good();
+  failed.name = "CSSM2/opengl/layers/64x32";
+  failed.technique = "CSSM2";
+  failed.backend = "opengl";
+  refuse(failed, "3 values of the picture are not finite,\nor so");
+  run.records.push_back(failed);
+  return run;
+}
+
+}  // namespace report
