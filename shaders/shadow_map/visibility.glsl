@@ -13,7 +13,7 @@ float filterHardware(LightSample s) {
   for (int y = -h; y <= h; ++y)
     for (int x = -h; x <= h; ++x) {
       vec2 offset = vec2(x, y) * s.texel;
-      float depth = s.uvz.z + dot(s.gradient, offset) - bias;
+      float depth = min(s.uvz.z + dot(s.gradient, offset) - bias, 1.0);
       float w = kernelWeight(x, y);
       total += w;
       lit += w * textureGrad(t_shadowCompare, vec4(s.uvz.xy + offset, s.layer, depth),
