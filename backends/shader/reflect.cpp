@@ -18,8 +18,7 @@ struct ContextDeleter {
 };
 using Context = std::unique_ptr<spvc_context_s, ContextDeleter>;
 
-void check(spvc_context context, spvc_result result, const rhi::ShaderCode& code,
-           const char* call) {
+void check(spvc_context context, spvc_result result, const rhi::ShaderCode& code, const char* call) {
   if (result != SPVC_SUCCESS)
     throw rhi::Error(call, "", code.name + ": " + spvc_context_get_last_error_string(context));
 }
@@ -53,8 +52,8 @@ bool isReadOnly(spvc_compiler compiler, const spvc_reflected_resource& resource,
          decorations + count;
 }
 
-/// Lists what the shader uses, and gives every binding (blocks that it does not use are still in
-/// the text, and must agree between stages) its OpenGL number.
+/// Lists what the shader uses, and gives every binding (blocks that it does not use are still in the
+/// text, and must agree between stages) its OpenGL number.
 void collectResources(spvc_context context, spvc_compiler compiler, rhi::ShaderCode& code) {
   spvc_set active = nullptr;
   spvc_resources used = nullptr, all = nullptr;
@@ -97,20 +96,14 @@ void collectConstants(spvc_context context, spvc_compiler compiler, rhi::ShaderC
   check(context, spvc_compiler_get_specialization_constants(compiler, &list, &count), code, "spvc");
   for (size_t i = 0; i < count; ++i) {
     spvc_constant constant = spvc_compiler_get_constant_handle(compiler, list[i].id);
-    spvc_type type = spvc_compiler_get_type_handle(compiler, spvc_constant_get_type(constant));
+    spvc_type type =
+        spvc_compiler_get_type_handle(compiler, spvc_constant_get_type(constant));
     char letter = 'u';
     switch (spvc_type_get_basetype(type)) {
-      case SPVC_BASETYPE_BOOLEAN:
-        letter = 'b';
-        break;
-      case SPVC_BASETYPE_INT32:
-        letter = 'i';
-        break;
-      case SPVC_BASETYPE_FP32:
-        letter = 'f';
-        break;
-      default:
-        break;
+      case SPVC_BASETYPE_BOOLEAN: letter = 'b'; break;
+      case SPVC_BASETYPE_INT32: letter = 'i'; break;
+      case SPVC_BASETYPE_FP32: letter = 'f'; break;
+      default: break;
     }
     code.constants.push_back({.id = list[i].constant_id,
                               .type = letter,
