@@ -1,12 +1,19 @@
 # shadowbench_shaders(TARGET FOLDER SYMBOL): compiles every GLSL file below FOLDER to SPIR-V and
 # OpenGL GLSL at build time and embeds the result in the object library TARGET, which defines
-# `void SYMBOL::addTo(rhi::ShaderLibrary&)`.
+# `void SYMBOL::addTo(rhi::ShaderLibrary&)`. A fourth argument names a folder whose files may be
+# included, after those of FOLDER, but are not compiled.
 function(shadowbench_shaders target folder symbol)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.glsl ${folder}/*.h)
+  set(include)
+  if(ARGC GREATER 3)
+    file(GLOB_RECURSE included CONFIGURE_DEPENDS ${ARGV3}/*.glsl ${ARGV3}/*.h)
+    list(APPEND sources ${included})
+    set(include --include ${ARGV3})
+  endif()
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
   add_custom_command(
     OUTPUT ${output} ${output}.blob
-    COMMAND shader_compiler --root ${folder} --symbol ${symbol} --output ${output}
+    COMMAND shader_compiler --root ${folder} --symbol ${symbol} --output ${output} ${include}
     DEPENDS shader_compiler ${sources}
     COMMENT "Compiling shaders of ${folder}"
     VERBATIM)

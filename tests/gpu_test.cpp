@@ -15,9 +15,10 @@ namespace sb::test {
 namespace {
 
 struct Opened {
-  // The validator detaches itself from the device, so it goes first.
+  // Closed in reverse order: what is kept, then the validator, which detaches itself, the device.
   std::unique_ptr<rhi::Device> device;
   std::unique_ptr<rhi::Validator> validator;
+  std::vector<std::shared_ptr<void>> kept;
   std::string why;
 };
 
@@ -64,6 +65,11 @@ rhi::Device* sharedDevice(const std::string& backend, std::string* why) {
   }
   if (why) *why = it->second.why;
   return it->second.device.get();
+}
+
+void keepWithDevice(const rhi::Device& device, std::shared_ptr<void> object) {
+  for (auto& [name, opened] : openedDevices())
+    if (opened.device.get() == &device) opened.kept.push_back(std::move(object));
 }
 
 const rhi::ShaderLibrary& testShaders() {

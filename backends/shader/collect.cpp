@@ -52,27 +52,39 @@ std::vector<CompileJob> collect(const fs::path& root) {
     const bool perPair = isTemplate && mentions(root / file, "#include <transparency/");
     if (!perTechnique && !perPair) {
       jobs.push_back({.name = (file.parent_path() / pass).string(),
-                      .root = root, .file = file, .stage = *stage, .aliases = {}});
+                      .root = root,
+                      .file = file,
+                      .stage = *stage,
+                      .aliases = {}});
       continue;
     }
     for (const std::string& t : techniques) {
       if (!perPair) {
-        jobs.push_back({.name = t + "/" + pass, .root = root, .file = file, .stage = *stage,
+        jobs.push_back({.name = t + "/" + pass,
+                        .root = root,
+                        .file = file,
+                        .stage = *stage,
                         .aliases = {{"technique", t}}});
         continue;
       }
       for (const std::string& x : transparencies)
-        jobs.push_back({.name = t + "+" + x + "/" + pass, .root = root, .file = file,
-                        .stage = *stage, .aliases = {{"technique", t}, {"transparency", x}}});
+        jobs.push_back({.name = t + "+" + x + "/" + pass,
+                        .root = root,
+                        .file = file,
+                        .stage = *stage,
+                        .aliases = {{"technique", t}, {"transparency", x}}});
     }
   }
   std::ranges::sort(jobs, {}, &CompileJob::name);
   return jobs;
 }
 
-rhi::ShaderLibrary compileFolder(const fs::path& root) {
+rhi::ShaderLibrary compileFolder(const fs::path& root, const fs::path& include) {
   rhi::ShaderLibrary library;
-  for (const CompileJob& job : collect(root)) library.add(compile(job));
+  for (CompileJob& job : collect(root)) {
+    job.include = include;
+    library.add(compile(job));
+  }
   return library;
 }
 

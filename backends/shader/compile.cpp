@@ -41,8 +41,10 @@ class Includer : public glslang::TShader::Includer {
 
  private:
   IncludeResult* open(const std::string& name) {
-    if (!std::filesystem::exists(m_job.root / name)) return nullptr;
-    m_texts.push_back(readText(m_job.root / name));
+    std::filesystem::path file = m_job.root / name;
+    if (!std::filesystem::exists(file) && !m_job.include.empty()) file = m_job.include / name;
+    if (!std::filesystem::exists(file)) return nullptr;
+    m_texts.push_back(readText(file));
     m_results.emplace_back(name, m_texts.back().data(), m_texts.back().size(), nullptr);
     return &m_results.back();
   }
@@ -53,10 +55,14 @@ class Includer : public glslang::TShader::Includer {
 
 EShLanguage language(rhi::ShaderStage stage) {
   switch (stage) {
-    case rhi::ShaderStage::Vertex: return EShLangVertex;
-    case rhi::ShaderStage::Geometry: return EShLangGeometry;
-    case rhi::ShaderStage::Fragment: return EShLangFragment;
-    case rhi::ShaderStage::Compute: return EShLangCompute;
+    case rhi::ShaderStage::Vertex:
+      return EShLangVertex;
+    case rhi::ShaderStage::Geometry:
+      return EShLangGeometry;
+    case rhi::ShaderStage::Fragment:
+      return EShLangFragment;
+    case rhi::ShaderStage::Compute:
+      return EShLangCompute;
   }
   return EShLangVertex;
 }

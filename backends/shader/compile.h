@@ -18,6 +18,8 @@ struct CompileJob {
   std::filesystem::path file;  ///< relative to root
   rhi::ShaderStage stage = rhi::ShaderStage::Vertex;
   std::map<std::string, std::string> aliases;
+  std::filesystem::path include =
+      {};  ///< where includes that `root` lacks are sought; may be empty
 };
 
 /// Throws rhi::Error whose text carries glslang's "file:line: message" lines.

@@ -82,11 +82,12 @@ float kernelWeight(int x, int y) {
   return kTent ? float((h + 1 - abs(x)) * (h + 1 - abs(y))) : 1.0;
 }
 
-// Depth that a lit receiver may have at the centre of a texel.
+// Depth that a lit receiver may have at the centre of a texel. At most 1, the depth of empty texels:
+// beyond its own edge the receiver's plane may lie behind the far plane.
 float tapDepth(LightSample s, ivec2 texel) {
   precise vec2 offset = (vec2(texel) + 0.5) * s.texel - s.uvz.xy;
   precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) - s.bias;
-  return depth;
+  return min(depth, 1.0);
 }
 
 // N x N point comparisons against a depth map; outside the map is lit.

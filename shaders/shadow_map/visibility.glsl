@@ -30,6 +30,7 @@ float filterHardware(LightSample s) {
     for (int x = -h; x <= h; ++x) {
       vec2 offset = vec2(x, y) * s.texel;
       precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) - bias;
+      depth = min(depth, 1.0);
       float w = kernelWeight(x, y);
       total += w;
       lit += w * (kFilterInShader

@@ -1,0 +1,22 @@
+# Techniques: their rules and invariants on the drivers, their passes and numbers without.
+target_sources(gpu_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/cssm2_expectation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/filter_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/generic_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/hash_gpu_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/identity_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/local_lights_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shapes.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp)
+target_link_libraries(gpu_tests PRIVATE reports)
+target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shapes.cpp)
