@@ -345,7 +345,7 @@ class Readme(Case):
             commands += 1
             words = words[1:]
             if not words or words[0].startswith("-"):
-                words += ["--budget", "0.01"]
+                words += ["--budget", "0.01", "--benchmark_repetitions=1"]
                 # A size of the README's own stays.
                 words += [] if "--size" in words else ["--size", "16x16"]
             with self.subTest(line):
