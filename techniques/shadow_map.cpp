@@ -27,25 +27,25 @@ class ShadowMap final : public ShadowTechnique {
     if (opaque) m_opaque = pipeline("shadow map opaque", "", false);
     if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
     m_hardware = context.knobs.is("compare", "hardware");
+    const bool filters = context.device.formatCaps(m_maps->depthFormat()).linearFilter;
     m_compareSampler = context.device.createSampler(
         {.label = "shadow map compare",
-         .filter = context.device.formatCaps(m_maps->depthFormat()).linearFilter
-                       ? rhi::Filter::Linear
-                       : rhi::Filter::Nearest,
+         .filter = filters ? rhi::Filter::Linear : rhi::Filter::Nearest,
          .addressU = rhi::AddressMode::ClampToBorder,
          .addressV = rhi::AddressMode::ClampToBorder,
          .border = rhi::BorderColor::OpaqueWhite,  // outside the map is lit (spec 01, P1)
          .compare = rhi::CompareOp::LessOrEqual});
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, m_hardware});
+    m_constants.push_back({20, m_hardware && !filters});
   }
 
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       const LightView& view = m_maps->views()[i];
       if (view.layer() < 0) continue;
-      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)},
-                 PassGroup::Shadow, [&](rhi::CommandList& commands) {
+      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
+                 [&](rhi::CommandList& commands) {
                    m_maps->plain(i).draw(commands, m_opaque, view.opaque);
                    if (m_translucentCast)
                      m_maps->plain(i).draw(commands, m_opaque, view.translucent);
@@ -93,15 +93,15 @@ std::vector<KnobInfo> knobs() {
 
 REGISTER_TECHNIQUE(
     ShadowTechnique, ShadowMap,
-    (TechniqueInfo{.name = "ShadowMap",
-                   .folder = "shadow_map",
-                   .title = "Shadow mapping with percentage-closer filtering",
-                   .paper = "Williams 1978; Reeves, Salesin, Cook 1987",
-                   .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters,
-                                                             Effect::PerforatedCasters},
-                   .knobs = knobs(),
-                   .error = "translucent casters cast all or nothing; edges move by half a texel; "
-                            "the filter blurs, it makes no penumbra"}));
+    (TechniqueInfo{
+        .name = "ShadowMap",
+        .folder = "shadow_map",
+        .title = "Shadow mapping with percentage-closer filtering",
+        .paper = "Williams 1978; Reeves, Salesin, Cook 1987",
+        .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters},
+        .knobs = knobs(),
+        .error = "translucent casters cast all or nothing; edges move by half a texel; "
+                 "the filter blurs, it makes no penumbra"}));
 
 }  // namespace
 }  // namespace sb

@@ -2,8 +2,29 @@
 // ones, each of which compares four texels first and weights the results bilinearly.
 #include "common/light_space.glsl"
 layout(constant_id = 19) const bool kHardwareCompare = false;
+// The device does not filter this depth format linearly (optional in Vulkan: spec 01, P7): the same
+// tap from four fetches.
+layout(constant_id = 20) const bool kFetchTaps = false;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_shadowMap;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2DArrayShadow t_shadowCompare;
+
+// Four comparisons weighed bilinearly; texels outside the map are lit.
+float compareTap(vec2 uv, float layer, float depth) {
+  if (!kFetchTaps)
+    return textureGrad(t_shadowCompare, vec4(uv, layer, depth), vec2(0), vec2(0));
+  int size = textureSize(t_shadowMap, 0).x;
+  precise vec2 at = uv * float(size) - 0.5;
+  ivec2 base = ivec2(floor(at));
+  vec2 f = at - floor(at);
+  float lit = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 corner = ivec2(i & 1, i >> 1), texel = base + corner;
+    bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
+    vec2 w = mix(1.0 - f, f, equal(corner, ivec2(1)));
+    if (outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r) lit += w.x * w.y;
+  }
+  return lit;
+}
 
 float filterHardware(LightSample s) {
   int h = int(kKernel) / 2;
@@ -16,8 +37,7 @@ float filterHardware(LightSample s) {
       float depth = min(s.uvz.z + dot(s.gradient, offset) - bias, 1.0);
       float w = kernelWeight(x, y);
       total += w;
-      lit += w * textureGrad(t_shadowCompare, vec4(s.uvz.xy + offset, s.layer, depth),
-                               vec2(0), vec2(0));
+      lit += w * compareTap(s.uvz.xy + offset, s.layer, depth);
     }
   return lit / total;
 }
