@@ -16,14 +16,16 @@ float compareTap(vec2 uv, float layer, float depth) {
   precise vec2 at = uv * float(size) - 0.5;
   ivec2 base = ivec2(floor(at));
   vec2 f = at - floor(at);
-  float lit = 0.0;
+  float lit[4];
   for (int i = 0; i < 4; ++i) {
-    ivec2 corner = ivec2(i & 1, i >> 1), texel = base + corner;
+    ivec2 texel = base + ivec2(i & 1, i >> 1);
     bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
-    vec2 w = mix(1.0 - f, f, equal(corner, ivec2(1)));
-    if (outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r) lit += w.x * w.y;
+    bool passes = outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r;
+    lit[i] = passes ? 1.0 : 0.0;
   }
-  return lit;
+  // In this form four equal comparisons give exactly 0 or 1.
+  float below = lit[0] + (lit[1] - lit[0]) * f.x, above = lit[2] + (lit[3] - lit[2]) * f.x;
+  return below + (above - below) * f.y;
 }
 
 float filterHardware(LightSample s) {
