@@ -43,8 +43,8 @@ class ShadowMap final : public ShadowTechnique {
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       const LightView& view = m_maps->views()[i];
       if (view.layer() < 0) continue;
-      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)},
-                 PassGroup::Shadow, [&](rhi::CommandList& commands) {
+      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
+                 [&](rhi::CommandList& commands) {
                    m_maps->plain(i).draw(commands, m_opaque, view.opaque);
                    if (m_translucentCast)
                      m_maps->plain(i).draw(commands, m_opaque, view.translucent);
@@ -92,15 +92,15 @@ std::vector<KnobInfo> knobs() {
 
 REGISTER_TECHNIQUE(
     ShadowTechnique, ShadowMap,
-    (TechniqueInfo{.name = "ShadowMap",
-                   .folder = "shadow_map",
-                   .title = "Shadow mapping with percentage-closer filtering",
-                   .paper = "Williams 1978; Reeves, Salesin, Cook 1987",
-                   .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters,
-                                                             Effect::PerforatedCasters},
-                   .knobs = knobs(),
-                   .error = "translucent casters cast all or nothing; edges move by half a texel; "
-                            "the filter blurs, it makes no penumbra"}));
+    (TechniqueInfo{
+        .name = "ShadowMap",
+        .folder = "shadow_map",
+        .title = "Shadow mapping with percentage-closer filtering",
+        .paper = "Williams 1978; Reeves, Salesin, Cook 1987",
+        .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters},
+        .knobs = knobs(),
+        .error = "translucent casters cast all or nothing; edges move by half a texel; "
+                 "the filter blurs, it makes no penumbra"}));
 
 }  // namespace
 }  // namespace sb

@@ -2,23 +2,30 @@
 // ones, each of which compares four texels first and weights the results bilinearly.
 #include "common/light_space.glsl"
 layout(constant_id = 19) const bool kHardwareCompare = false;
-layout(constant_id = 20) const bool kFilterInShader = false;  // the device filters no depth (P7)
+// The device does not filter this depth format linearly (optional in Vulkan: spec 01, P7): the same
+// tap from four fetches.
+layout(constant_id = 20) const bool kFetchTaps = false;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_shadowMap;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2DArrayShadow t_shadowCompare;
 
-// What a linear comparison sampler does: compares at the four nearest texels, then weights.
-float compareBilinear(vec2 uv, float layer, float depth) {
+// Four comparisons weighed bilinearly; texels outside the map are lit.
+float compareTap(vec2 uv, float layer, float depth) {
+  if (!kFetchTaps)
+    return textureGrad(t_shadowCompare, vec4(uv, layer, depth), vec2(0), vec2(0));
   int size = textureSize(t_shadowMap, 0).x;
-  vec2 position = uv * float(size) - 0.5;
-  ivec2 corner = ivec2(floor(position));
-  vec2 f = position - vec2(corner);
-  vec4 lit;
+  precise vec2 at = uv * float(size) - 0.5;
+  ivec2 base = ivec2(floor(at));
+  vec2 f = at - floor(at);
+  float lit[4];
   for (int i = 0; i < 4; ++i) {
-    ivec2 texel = corner + ivec2(i & 1, i >> 1);
+    ivec2 texel = base + ivec2(i & 1, i >> 1);
     bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
-    lit[i] = outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r ? 1.0 : 0.0;
+    bool passes = outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r;
+    lit[i] = passes ? 1.0 : 0.0;
   }
-  return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
+  // In this form four equal comparisons give exactly 0 or 1.
+  float below = lit[0] + (lit[1] - lit[0]) * f.x, above = lit[2] + (lit[3] - lit[2]) * f.x;
+  return below + (above - below) * f.y;
 }
 
 float filterHardware(LightSample s) {
@@ -33,10 +40,7 @@ float filterHardware(LightSample s) {
       depth = min(depth, 1.0);
       float w = kernelWeight(x, y);
       total += w;
-      lit += w * (kFilterInShader
-                      ? compareBilinear(s.uvz.xy + offset, s.layer, depth)
-                      : textureGrad(t_shadowCompare, vec4(s.uvz.xy + offset, s.layer, depth),
-                                    vec2(0), vec2(0)));
+      lit += w * compareTap(s.uvz.xy + offset, s.layer, depth);
     }
   return lit / total;
 }

@@ -1,5 +1,5 @@
-// Properties that every technique must have (spec 17, G1-G6, G8, G9), for ShadowMap and CSSM2: moved,
-// scaled, permuted, doubled, degenerate and perturbed scenes; finite pictures of any size.
+// Properties that every technique must have (spec 17, G1-G6, G8, G9), for ShadowMap and CSSM2:
+// moved, scaled, permuted, doubled, degenerate and perturbed scenes; finite pictures of any size.
 #include <algorithm>
 #include <cmath>
 
@@ -139,8 +139,8 @@ GPU_TEST(Generic, DuplicatesAndDegenerateTrianglesChangeNothing) {
 }
 
 GPU_TEST(Generic, PerturbationChangesOnlyEdges) {
-  // G6, ShadowMap: one coordinate changed by 1e-6 of itself; visibility changes within two pixels of
-  // a place where it was not constant, or where the picture has an edge of surfaces.
+  // G6, ShadowMap: one coordinate changed by 1e-6 of itself; visibility changes within two pixels
+  // of a place where it was not constant, or where the picture has an edge of surfaces.
   CellOptions options = optionsOf("ShadowMap");
   options.knobs = {{"compare", "manual"}};
   Cell before(cellDevice(device()), mixed(false), options);

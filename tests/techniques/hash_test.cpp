@@ -1,7 +1,10 @@
-// The random numbers on the CPU: the committed vectors, and p = 0 and p = 1 over 2^24 draws (spec 17).
+// The random numbers on the CPU: the committed vectors, and p = 0 and p = 1 over 2^24 draws (spec
+// 17).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "shaders/common/shared_hash.h"
 

@@ -1,6 +1,6 @@
-// Decision D3 and the plan's proof on the drivers: without translucent casters CSSM2 is ShadowMap at
-// the same kernel with manual comparison, bit by bit and pass by pass; effects that a scene does not
-// call for change nothing when they are forced (index 00, skip planner).
+// Decision D3 and the plan's proof on the drivers: without translucent casters CSSM2 is ShadowMap
+// at the same kernel with manual comparison, bit by bit and pass by pass; effects that a scene does
+// not call for change nothing when they are forced (index 00, skip planner).
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/shapes.h"
 
@@ -39,7 +39,8 @@ GPU_TEST(Identity, OpaqueOnlyCssm2IsShadowMap) {
   EXPECT_EQ(a.picture().rgba, b.picture().rgba);
   for (uint32_t light = 0; light < 3; ++light) EXPECT_EQ(a.visibility(light), b.visibility(light));
   EXPECT_FALSE(b.hasMap("colours"));
-  for (uint32_t layer = 0; layer < 3; ++layer) EXPECT_EQ(a.map("depth", layer), b.map("depth", layer));
+  for (uint32_t layer = 0; layer < 3; ++layer)
+    EXPECT_EQ(a.map("depth", layer), b.map("depth", layer));
   const auto &p = a.result().passes, &q = b.result().passes;
   ASSERT_EQ(p.size(), q.size());
   EXPECT_GT(p.size(), 3u);
@@ -58,7 +59,9 @@ GPU_TEST(Identity, OpaqueOnlyCssm2IsShadowMap) {
 
 GPU_TEST(Identity, ForcedEffectsLeaveThePictureAlone) {
   for (const bool coloured : {false, true}) {
-    const auto options = [&](EffectSet forced) { return coloured ? cssm2(forced) : manual(forced); };
+    const auto options = [&](EffectSet forced) {
+      return coloured ? cssm2(forced) : manual(forced);
+    };
     Cell plain(cellDevice(device()), opaqueOnly(), options({}));
     const auto picture = plain.picture().rgba;
     EffectSet everything;

@@ -1,5 +1,5 @@
-// ShadowMap under point and spot lights: seams of the faces, casters that enclose the light or stand
-// before its near plane, receivers behind a spot, large ranges (spec 17, rows of 01).
+// ShadowMap under point and spot lights: seams of the faces, casters that enclose the light or
+// stand before its near plane, receivers behind a spot, large ranges (spec 17, rows of 01).
 #include <cmath>
 
 #include "tests/techniques/gpu_cell.h"
@@ -59,7 +59,8 @@ GPU_TEST(ShadowPoint, NoSeamsAcrossFaces) {
 GPU_TEST(ShadowPoint, ShadowsCrossTheEdgesOfFaces) {
   // Quads across the edge between two faces and across a corner of three.
   Scene scene = room();
-  addQuad(scene, 0, glm::vec3(kLight) + glm::vec3(-0.5f, 0, -0.5f), {0.2f, 0, -0.2f}, {0, 0.25f, 0});
+  addQuad(scene, 0, glm::vec3(kLight) + glm::vec3(-0.5f, 0, -0.5f), {0.2f, 0, -0.2f},
+          {0, 0.25f, 0});
   addQuad(scene, 0, glm::vec3(kLight) + glm::vec3(-0.4f, -0.4f, -0.4f), {0.15f, 0, -0.15f},
           {-0.1f, 0.2f, -0.1f});
   Cell cell(cellDevice(device()), scene, options());
@@ -89,8 +90,8 @@ GPU_TEST(ShadowPoint, CasterNextToTheLight) {
 
 GPU_TEST(ShadowPoint, LargeRangeWithoutAcneAndWithContact) {
   // A wall square to the light at z, a small caster next to the light: the depth step at z is
-  // z^2 (f - n) / (n f) 2^-24 (N3). No acne; a quad before the wall casts from twelve steps on: ten of
-  // the lookup's bias, and rounding.
+  // z^2 (f - n) / (n f) 2^-24 (N3). No acne; a quad before the wall casts from twelve steps on: ten
+  // of the lookup's bias, and rounding.
   const std::pair<double, double> ranges[] = {{1, 4}, {1, 100}, {1, 1e4}, {1e-3, 1e6}};
   for (const auto& [nearest, z] : ranges) {
     SCOPED_TRACE("z = " + std::to_string(z));
@@ -115,8 +116,7 @@ GPU_TEST(ShadowPoint, LargeRangeWithoutAcneAndWithContact) {
     const Cell probe(cellDevice(device()), scene, options());
     const glm::dmat4 m(probe.lightViews().at(5).data.toClip);
     const double nearPlane = m[3].z / m[2].z, farPlane = m[3].z / (1 + m[2].z);
-    const double gap =
-        12 * z * z * (farPlane - nearPlane) / (nearPlane * farPlane) * 0x1p-24;
+    const double gap = 12 * z * z * (farPlane - nearPlane) / (nearPlane * farPlane) * 0x1p-24;
     addQuad(scene, grey, {-wall / 4, 0, float(-(z - gap))}, {wall / 4, 0, 0}, {0, wall / 4, 0});
     Cell contact(cellDevice(device()), scene, options());
     expectShadows(contact, 0, 2000, 500);
@@ -127,7 +127,7 @@ GPU_TEST(ShadowSpot, InsideTheConeAndBehindIt) {
   Scene scene;
   const uint32_t grey = add(scene, matte());
   addHorizontal(scene, grey, {0, 0, 0}, 3, 3);
-  addHorizontal(scene, grey, {0.1f, 1, 0.05f}, 0.6f, 0.5f);       // casts inside the cone
+  addHorizontal(scene, grey, {0.1f, 1, 0.05f}, 0.6f, 0.5f);      // casts inside the cone
   addQuad(scene, grey, {0, 4.5f, -2}, {2, 0, 0}, {0, 0.5f, 0});  // behind the light: w <= 0
   scene.cameras.push_back(lookAt({0, 3, 9}, {0, 2, 0}, 0.9));
   Scene dark = scene;

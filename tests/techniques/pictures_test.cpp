@@ -1,5 +1,5 @@
-// Decision D5 on the committed scenes: Vulkan and OpenGL, OSMesa and EGL, one run and the next. Depth
-// and colour maps bit-identical across APIs, pictures within one step of 255 on every pixel;
+// Decision D5 on the committed scenes: Vulkan and OpenGL, OSMesa and EGL, one run and the next.
+// Depth and colour maps bit-identical across APIs, pictures within one step of 255 on every pixel;
 // OSMesa equal to EGL and every run equal to the last, bit by bit.
 #include "suites/harness/verify.h"
 #include "suites/scenes/procedural.h"
@@ -20,8 +20,7 @@ const std::vector<std::string> kScenes = {"layers:resolution=64", "spheres_quads
 Made make(rhi::Device& device, const std::string& technique, const std::string& scene) {
   Made made;
   for (int run = 0; run < 2; ++run) {
-    Cell cell(cellDevice(device), makeScene(scene),
-              {.technique = technique, .size = {128, 96}});
+    Cell cell(cellDevice(device), makeScene(scene), {.technique = technique, .size = {128, 96}});
     Made now{cell.picture(), cell.map("depth"), {}};
     if (cell.hasMap("colours")) now.colours = cell.map("colours");
     cell.renderAgain();

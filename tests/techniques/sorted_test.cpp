@@ -44,8 +44,7 @@ Scene redBeforeGreen(bool oneMesh) {
 }
 
 std::vector<float> rendered(CellDevice& device, const Scene& scene, const char* sort) {
-  Cell cell(device, scene,
-            {.technique = "none", .knobs = {{"sort", sort}}, .size = {16, 16}});
+  Cell cell(device, scene, {.technique = "none", .knobs = {{"sort", sort}}, .size = {16, 16}});
   return cell.picture().rgba;
 }
 
