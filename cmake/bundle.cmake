@@ -1,6 +1,7 @@
-# cmake -DBENCH=... -DOUT=... -DVERSION=... -P bundle.cmake
+# cmake -DBENCH=... -DOUT=... -P bundle.cmake
 # Copies the program and every shared library it needs into OUT, except glibc (2.36 or newer is
 # expected) and the GPU's drivers and loaders, which belong to the machine; then packs OUT.tar.gz.
+# Libraries that drivers need as well are used only where the system has none (bundle_start.sh).
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT}/lib)
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${BENCH}
@@ -9,9 +10,15 @@ file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${BENCH}
 if(missing)
   message(FATAL_ERROR "libraries not found: ${missing}")
 endif()
-file(COPY ${BENCH} DESTINATION ${OUT})
+file(COPY ${BENCH} DESTINATION ${OUT}/bin)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/bundle_start.sh ${OUT}/bench COPYONLY)
 foreach(library ${libraries})
-  file(COPY ${library} DESTINATION ${OUT}/lib FOLLOW_SYMLINK_CHAIN)
+  get_filename_component(name ${library} NAME)
+  set(folder lib)
+  if(name MATCHES "^lib(stdc\\+\\+|gcc_s|z)\\.so")
+    set(folder lib/fallback/${name})
+  endif()
+  file(COPY ${library} DESTINATION ${OUT}/${folder} FOLLOW_SYMLINK_CHAIN)
 endforeach()
 get_filename_component(parent ${OUT} DIRECTORY)
 get_filename_component(name ${OUT} NAME)

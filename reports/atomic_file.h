@@ -7,9 +7,9 @@
 
 namespace report {
 
-/// Writes `content` to `path` through a temporary file in the same folder. Throws std::runtime_error
-/// that names the path; nothing is left behind then. What is no regular file (/dev/stdout, a pipe)
-/// is written to directly; a symbolic link stays one.
+/// Writes `content` to `path` through a temporary file in the same folder. Throws
+/// std::runtime_error that names the path; nothing is left behind then. What is no regular file
+/// (/dev/stdout, a pipe) is written to directly; a symbolic link stays one.
 void writeAtomically(const std::filesystem::path& path, std::string_view content);
 
 /// The path names a device, a pipe or the like: every write there adds to those before.

@@ -101,8 +101,9 @@ std::string legend(const Run& run) {
   std::string out;
   for (const std::string& d : devices) out += d + "\n";
   if (sources.contains("software"))
-    out += "Software devices: frame = wall time to completion, CPU = time of all threads; ± and the "
-           "ratios are of CPU time. These figures say nothing about graphics hardware.\n";
+    out +=
+        "Software devices: frame = wall time to completion, CPU = time of all threads; ± and the "
+        "ratios are of CPU time. These figures say nothing about graphics hardware.\n";
   if (sources.contains("gpu-timestamp"))
     out += "Frame times are GPU timestamps; ± and the ratios are of them.\n";
   if (sources.contains("wall"))

@@ -34,8 +34,10 @@ struct Column {
 template <class T>
 std::string optionalNumber(const std::optional<T>& value) {
   if (!value) return "";
-  if constexpr (std::is_integral_v<T>) return std::to_string(*value);
-  else return number(double(*value));
+  if constexpr (std::is_integral_v<T>)
+    return std::to_string(*value);
+  else
+    return number(double(*value));
 }
 
 /// Counts of cells that did not run are unknown, not zero.
@@ -134,7 +136,8 @@ std::vector<Column> makeColumns() {
   add("stable", [](const Record& r) {
     return std::string(!r.stable ? "" : *r.stable ? "true" : "false");
   });
-  add("cross_backend_max_255", [](const Record& r) { return optionalNumber(r.crossBackendMax255); });
+  add("cross_backend_max_255",
+      [](const Record& r) { return optionalNumber(r.crossBackendMax255); });
   add("cross_backend_over_1_255",
       [](const Record& r) { return optionalNumber(r.crossBackendOver1); });
   add("picture", [](const Record& r) { return r.picture; });

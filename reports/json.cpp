@@ -71,7 +71,10 @@ void putTimes(Json& out, const Record& r) {
   out["passes"] = Json::array();
   putWhy(out, r, "passes", r.passes.empty());
   for (const PassRecord& p : r.passes) {
-    Json pass = {{"label", p.label}, {"ms", p.ms}, {"share", p.share}, {"draws", p.draws},
+    Json pass = {{"label", p.label},
+                 {"ms", p.ms},
+                 {"share", p.share},
+                 {"draws", p.draws},
                  {"triangles", p.triangles}};
     pass["fragments"] = p.fragments ? Json(*p.fragments) : Json(nullptr);
     if (!p.fragments) pass["fragments_why"] = "not counted: no query, or a pass without fragments";
@@ -84,8 +87,13 @@ void putTimes(Json& out, const Record& r) {
   out["ratios"] = Json::array();
   putWhy(out, r, "ratios", r.ratios.empty());
   for (const Ratio& x : r.ratios)
-    out["ratios"].push_back({{"kind", x.kind}, {"against", x.against}, {"of", x.of},
-                             {"ratio", x.value}, {"low", x.low}, {"high", x.high}, {"n", x.n}});
+    out["ratios"].push_back({{"kind", x.kind},
+                             {"against", x.against},
+                             {"of", x.of},
+                             {"ratio", x.value},
+                             {"low", x.low},
+                             {"high", x.high},
+                             {"n", x.n}});
 }
 
 void putResults(Json& out, const Record& r) {
@@ -183,7 +191,8 @@ std::string toJson(const Run& run) {
                   {"warnings", run.warnings}};
   Json benchmarks = Json::array();
   for (const Record& r : run.records) appendCell(benchmarks, r);
-  return Json{{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}}.dump(2) + "\n";
+  return Json{{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}}.dump(2) +
+         "\n";
 }
 
 }  // namespace report

@@ -1,14 +1,13 @@
 #include "reports/picture.h"
 
+#include <stb/stb_image_write.h>
+#include <tinyexr.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
-
-#include <stb/stb_image_write.h>
-#include <tinyexr.h>
 
 #include "reports/atomic_file.h"
 
@@ -20,8 +19,7 @@ std::vector<uint8_t> toSrgb8(const Picture& picture, float exposure) {
   for (uint32_t y = picture.height; y-- > 0;)
     for (uint32_t x = 0; x < picture.width; ++x)
       for (int c = 0; c < 3; ++c) {
-        const float v =
-            picture.rgba[(size_t(y) * picture.width + x) * 4 + size_t(c)] * exposure;
+        const float v = picture.rgba[(size_t(y) * picture.width + x) * 4 + size_t(c)] * exposure;
         const float l = std::isnan(v) ? 0.0f : std::clamp(v, 0.0f, 1.0f);
         const float s = l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
         out.push_back(uint8_t(std::lround(s * 255)));

@@ -81,11 +81,11 @@ struct Record {
   uint64_t bytes = 0;
   std::map<std::string, uint64_t> bytesByLabel;
   // verified
-  std::optional<bool> stable;              ///< the timed run's picture equals the untimed one
-  std::optional<int> crossBackendMax255;   ///< largest difference to another backend, in 1/255
+  std::optional<bool> stable;                 ///< the timed run's picture equals the untimed one
+  std::optional<int> crossBackendMax255;      ///< largest difference to another backend, in 1/255
   std::optional<uint64_t> crossBackendOver1;  ///< pixels that differ by more than 1/255
-  std::optional<uint64_t> nonfinite;       ///< values of the picture that are not finite
-  std::string picture;                     ///< content hash of the picture
+  std::optional<uint64_t> nonfinite;          ///< values of the picture that are not finite
+  std::string picture;                        ///< content hash of the picture
   // outcome
   Status status = Status::Ok;
   std::string reason;
@@ -103,11 +103,11 @@ void refuse(Record& record, const std::string& reason);
 
 /// A whole run: where and with what it was made, and its cells.
 struct Run {
-  std::string date;        ///< ISO 8601
+  std::string date;  ///< ISO 8601
   std::string host;
   std::string executable;
   std::string version;
-  std::string buildType;   ///< "release" or "debug"
+  std::string buildType;  ///< "release" or "debug"
   uint32_t cpus = 0;
   double cpuMHz = 0;
   bool cpuScaling = false;  ///< the governor may change the clock

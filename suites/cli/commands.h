@@ -24,7 +24,8 @@ struct Platform {
 };
 Platform makePlatform(const Options& options);
 
-/// Throws InputError, naming the option, when a file that the command is to write cannot be written.
+/// Throws InputError, naming the option, when a file that the command is to write cannot be
+/// written.
 void requireWritable(const std::string& option, const std::string& path);
 
 /// Backends that a run uses when none is named: "vulkan" and the OpenGL that --gl chose.

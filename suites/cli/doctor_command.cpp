@@ -22,7 +22,8 @@ void printDevice(const rhi::DeviceInfo& d) {
   if (d.memoryBytes > 0) fmt::print(", memory {:.1f} GiB", double(d.memoryBytes) / (1 << 30));
   const rhi::Limits& l = d.limits;
   fmt::print(
-      "\n      textures {}^2 x {} layers, {}^3; {} colour attachments; samples {}; storage range {} "
+      "\n      textures {}^2 x {} layers, {}^3; {} colour attachments; samples {}; storage range "
+      "{} "
       "MiB; sub-pixel bits {}\n      timestamps: {} bits, {} ns\n",
       l.maxTexture2D, l.maxTextureLayers, l.maxTexture3D, l.maxColorAttachments,
       listOf(l.sampleCounts), l.maxStorageRange >> 20, l.subPixelBits, l.timestampBits,

@@ -9,10 +9,14 @@ int main(int argc, char** argv) {
     const auto options = sb::parseOptions(argc, argv);
     if (!options) return 0;
     switch (options->command) {
-      case sb::Command::Measure: return sb::measureCommand(*options);
-      case sb::Command::Render: return sb::renderCommand(*options);
-      case sb::Command::Scene: return sb::sceneCommand(*options);
-      case sb::Command::Doctor: return sb::doctorCommand(*options);
+      case sb::Command::Measure:
+        return sb::measureCommand(*options);
+      case sb::Command::Render:
+        return sb::renderCommand(*options);
+      case sb::Command::Scene:
+        return sb::sceneCommand(*options);
+      case sb::Command::Doctor:
+        return sb::doctorCommand(*options);
     }
   } catch (const sb::InputError& e) {
     std::fprintf(stderr, "bench: %s\n", e.what());

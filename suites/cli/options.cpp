@@ -42,7 +42,8 @@ std::string footer() {
       out += "      " + p.name + "  [" + p.fallbackText() + "]  " + p.help + "\n";
   }
   out +=
-      "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at its\n"
+      "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at "
+      "its\n"
       "default is left out. --filter matches anywhere in the name.\n"
       "Google Benchmark's own --benchmark_* flags work too.\n"
       "Exit code: 0 all cells ok or skipped, 1 a cell failed or none was measured, 2 wrong input,\n"
@@ -106,7 +107,8 @@ void addCommon(CLI::App& app, Options& o) {
       ->type_name("egl|osmesa");
   app.add_option("--device", o.device, "number or part of the name, see `bench doctor`")
       ->type_name("N|NAME");
-  app.add_option("--shaders", o.shaderFolder, "compile the shaders of a folder instead of the built-in")
+  app.add_option("--shaders", o.shaderFolder,
+                 "compile the shaders of a folder instead of the built-in")
       ->type_name("DIR");
   app.add_flag("--validate", o.validate,
                "switch on the drivers' validation and our own (slower; results are marked)");
@@ -147,8 +149,9 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   addCommon(*render, o);
   render->add_option("--output,-o", o.outputPrefix, "path without extension [render]")
       ->type_name("PREFIX");
-  render->add_flag("--visibility", o.visibility,
-                   "also the visibility buffer: per light, the first opaque surface and four layers");
+  render->add_flag(
+      "--visibility", o.visibility,
+      "also the visibility buffer: per light, the first opaque surface and four layers");
   render->add_option("--exposure", o.exposure, "factor on linear values before the PNG [1]");
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
@@ -158,7 +161,8 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   scene->add_flag("--json", o.sceneJson, "as JSON");
   scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
 
-  CLI::App* doctor = app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
+  CLI::App* doctor =
+      app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
   addCommon(*doctor, o);
   app.require_subcommand(0, 1);
 
@@ -176,7 +180,8 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   if (scene->parsed()) o.command = Command::Scene;
   if (doctor->parsed()) o.command = Command::Doctor;
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
-    throw InputError(o.benchmark.arguments.front(), "found it beside a command; it is of measuring");
+    throw InputError(o.benchmark.arguments.front(),
+                     "found it beside a command; it is of measuring");
   if (!size.empty()) o.selection.size = parseSize(size);
   if (!renderSize.empty()) o.selection.size = parseSize(renderSize);
   if (!o.benchmark.filter.empty()) {

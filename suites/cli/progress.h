@@ -1,4 +1,5 @@
-// Progress on standard error: one line that is rewritten on a terminal, a line now and then in a log.
+// Progress on standard error: one line that is rewritten on a terminal, a line now and then in a
+// log.
 #pragma once
 
 #include <string>

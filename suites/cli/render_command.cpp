@@ -26,8 +26,9 @@ CellId oneCell(const Options& options, const Platform& platform, Devices& device
   if (selection.backends.empty()) selection.backends = {candidates.front()};
   auto cells = selectCells(selection, platform.names(), {});
   if (cells.size() != 1)
-    throw InputError("render", "found " + std::to_string(cells.size()) +
-                                   " cells, expected one technique, backend, scene and value a knob");
+    throw InputError("render",
+                     "found " + std::to_string(cells.size()) +
+                         " cells, expected one technique, backend, scene and value a knob");
   if (!options.selection.backends.empty()) candidates = {cells.front().backend};
   std::string why;
   for (const std::string& backend : candidates) {
@@ -57,8 +58,8 @@ int renderCommand(const Options& options) {
   const CellId id = oneCell(options, platform, devices);
   DeviceSession* session = devices.open(id.backend);
   const TechniqueInfo& technique = shadowTechnique(id.technique).info;
-  if (auto skip = unsupported(*session->device, technique,
-                              transparencyTechnique(id.transparency).info))
+  if (auto skip =
+          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info))
     throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());

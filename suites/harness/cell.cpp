@@ -17,9 +17,9 @@ std::string shellWord(const std::string& text) {
 }  // namespace
 
 Knobs cellKnobs(const CellId& id) {
-  return Knobs::resolve(knobsOf(shadowTechnique(id.technique).info,
-                                transparencyTechnique(id.transparency).info),
-                        id.knobs);
+  return Knobs::resolve(
+      knobsOf(shadowTechnique(id.technique).info, transparencyTechnique(id.transparency).info),
+      id.knobs);
 }
 
 std::string cellName(const CellId& id) {
@@ -37,8 +37,8 @@ CellId baselineOf(const CellId& id) {
   baseline.technique = "none";
   baseline.knobs.clear();
   // The knobs of the transparency technique stay; those of shadows mean nothing here.
-  for (const KnobInfo& knob : knobsOf(shadowTechnique("none").info,
-                                      transparencyTechnique(id.transparency).info))
+  for (const KnobInfo& knob :
+       knobsOf(shadowTechnique("none").info, transparencyTechnique(id.transparency).info))
     if (auto given = id.knobs.find(knob.name); given != id.knobs.end())
       baseline.knobs.insert(*given);
   return baseline;

@@ -24,8 +24,8 @@ struct CellId {
   bool companion = false;
 };
 
-/// TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value.../WxH; default values left out; the seed
-/// stands as "seed:N" among the knobs when it is not 0. Throws InputError on a bad knob.
+/// TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value.../WxH; default values left out; the
+/// seed stands as "seed:N" among the knobs when it is not 0. Throws InputError on a bad knob.
 std::string cellName(const CellId& id);
 
 /// The cell that this one's cost is told against: the same without shadows.

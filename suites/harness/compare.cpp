@@ -58,8 +58,8 @@ void compareCells(std::span<const Measured> cells) {
       if (!record.contamination.empty())
         record.why["ratios"] = "contaminated: " + record.contamination.front();
       else if (!b.result->record.contamination.empty())
-        record.why["ratios"] = b.result->record.name +
-                               " is contaminated: " + b.result->record.contamination.front();
+        record.why["ratios"] =
+            b.result->record.name + " is contaminated: " + b.result->record.contamination.front();
       else
         record.ratios.push_back(ratioOf(a, b));
     }

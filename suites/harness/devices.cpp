@@ -24,8 +24,7 @@ DeviceSession* Devices::open(const std::string& backend) {
   try {
     DeviceSession session;
     session.device = (*found)->open(m_request);
-    if (m_request.validate)
-      session.validator = std::make_unique<rhi::Validator>(*session.device);
+    if (m_request.validate) session.validator = std::make_unique<rhi::Validator>(*session.device);
     session.pipelines = std::make_unique<PipelineCache>(*session.device);
     session.queries = std::make_unique<FrameQueries>(*session.device);
     session.shaders = &m_shaders;

@@ -113,8 +113,9 @@ void replay(benchmark::State& state, const report::Record& record, size_t& next)
 void registerCell(const report::Record& record) {
   const bool ok = record.status == report::Status::Ok;
   auto* entry = benchmark::RegisterBenchmark(
-      record.name.c_str(),
-      [&record, next = size_t(0)](benchmark::State& state) mutable { replay(state, record, next); });
+      record.name.c_str(), [&record, next = size_t(0)](benchmark::State& state) mutable {
+        replay(state, record, next);
+      });
   entry->UseManualTime()
       ->Unit(benchmark::kMillisecond)
       ->Iterations(ok ? std::max(1u, record.blocks.front().frames) : 1)
@@ -184,8 +185,8 @@ BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
   int argc = int(argv.size());
   benchmark::Initialize(&argc, argv.data());
   if (argc > 1)
-    throw InputError("", "unknown option '" + std::string(argv[1]) +
-                             "'; Google Benchmark 1.7 does not know it");
+    throw InputError(
+        "", "unknown option '" + std::string(argv[1]) + "'; Google Benchmark 1.7 does not know it");
   return flags;
 }
 
@@ -193,11 +194,10 @@ void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record
   if (flags.arguments.empty() || records.empty()) return;
   benchmark::ClearRegisteredBenchmarks();
   for (const report::Record& r : records) registerCell(r);
-  Corrected display(flags.display ? makeReporter(flags,
-                                                 lastValue(flags, "--benchmark_format", "console"),
-                                                 false)
-                                  : std::make_unique<Silent>(),
-                    records);
+  Corrected display(
+      flags.display ? makeReporter(flags, lastValue(flags, "--benchmark_format", "console"), false)
+                    : std::make_unique<Silent>(),
+      records);
   std::unique_ptr<Corrected> file;
   if (!flags.outFile.empty())
     file = std::make_unique<Corrected>(

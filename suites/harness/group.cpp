@@ -25,11 +25,19 @@ void addOnce(std::vector<std::string>& list, const std::string& text) {
   if (std::ranges::find(list, text) == list.end()) list.push_back(text);
 }
 
-report::Record recordOf(const CellId& id, const std::string& sceneHash, const std::string& version) {
-  report::Record r = {.name = cellName(id), .technique = id.technique,
-                      .transparency = id.transparency, .backend = id.backend, .scene = id.scene,
-                      .sceneHash = sceneHash, .width = id.width, .height = id.height,
-                      .seed = id.seed, .version = version, .command = cellCommand(id)};
+report::Record recordOf(const CellId& id, const std::string& sceneHash,
+                        const std::string& version) {
+  report::Record r = {.name = cellName(id),
+                      .technique = id.technique,
+                      .transparency = id.transparency,
+                      .backend = id.backend,
+                      .scene = id.scene,
+                      .sceneHash = sceneHash,
+                      .width = id.width,
+                      .height = id.height,
+                      .seed = id.seed,
+                      .version = version,
+                      .command = cellCommand(id)};
   const Knobs knobs = cellKnobs(id);
   for (const auto& [name, value] : knobs.all()) r.knobs[name] = value;
   for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
@@ -140,14 +148,14 @@ class Group {
     auto& gpuScene = m_gpuScenes[session];
     if (!gpuScene) gpuScene = std::make_unique<GpuScene>(device, m_scene);
     const double createdBefore = session->pipelines->createMs();
-    a.renderer = std::make_unique<Renderer>(
-        session->context(), *gpuScene, m_effects,
-        RendererDesc{.technique = &technique,
-                     .transparency = &transparency,
-                     .knobs = cellKnobs(result.id),
-                     .size = {result.id.width, result.id.height},
-                     .seed = result.id.seed,
-                     .forced = {}});
+    a.renderer =
+        std::make_unique<Renderer>(session->context(), *gpuScene, m_effects,
+                                   RendererDesc{.technique = &technique,
+                                                .transparency = &transparency,
+                                                .knobs = cellKnobs(result.id),
+                                                .size = {result.id.width, result.id.height},
+                                                .seed = result.id.seed,
+                                                .forced = {}});
     recordPlan(a.renderer->plan(), record);
     record.bytesByLabel = a.renderer->bytesByLabel();
     for (const auto& [label, bytes] : record.bytesByLabel) record.bytes += bytes;

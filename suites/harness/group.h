@@ -14,7 +14,7 @@
 namespace sb {
 
 struct MeasureSettings {
-  double budgetSeconds = 3;    ///< per cell, for plain frames
+  double budgetSeconds = 3;  ///< per cell, for plain frames
   StopRule stop;
   double blockSeconds = 0.05;  ///< frames of a block last about so long
   uint32_t stampedFrames = 5;
@@ -22,7 +22,8 @@ struct MeasureSettings {
   bool checkTimers = true;
   /// Polled between frames: true stops at once; the group under way is given up.
   const std::atomic<bool>* interrupted = nullptr;
-  /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done, 0..1.
+  /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done,
+  /// 0..1.
   std::function<void(const std::string& what, double done)> progress;
 };
 

@@ -11,9 +11,9 @@ namespace sb {
 
 /// Seconds and counts since boot; absent where the system does not tell.
 struct MachineUse {
-  double total = 0;  ///< CPU time that was there, idle or not, all CPUs
-  double busy = 0;   ///< of it used, or stolen by the hypervisor
-  double own = 0;    ///< used by this process
+  double total = 0;                   ///< CPU time that was there, idle or not, all CPUs
+  double busy = 0;                    ///< of it used, or stolen by the hypervisor
+  double own = 0;                     ///< used by this process
   std::optional<uint64_t> throttled;  ///< thermal throttling events, all CPUs
 };
 MachineUse machineUse();

@@ -16,7 +16,8 @@ class WarmUp {
 
   /// Median frame time of the next window, milliseconds. True when warm-up is over.
   bool add(double windowMs);
-  /// Two successive windows agreed: within 20 %, or 0.05 ms, which is what clocks and wake-ups cost.
+  /// Two successive windows agreed: within 20 %, or 0.05 ms, which is what clocks and wake-ups
+  /// cost.
   bool steady() const { return m_steady; }
   int windows() const { return m_windows; }
 
@@ -38,7 +39,8 @@ struct StopRule {
   uint32_t repetitions = 0;  ///< not 0: exactly so many blocks, whatever precision and budget say
 };
 
-/// After `blocks` rounds that spent `budgetShare` of the budget, the cells standing at `halfWidths`.
+/// After `blocks` rounds that spent `budgetShare` of the budget, the cells standing at
+/// `halfWidths`.
 Stop stopNow(const StopRule& rule, uint32_t blocks, double budgetShare,
              std::span<const double> halfWidths);
 

@@ -46,7 +46,7 @@ std::string whyPassesUntrusted(const std::vector<FrameResult>& frames) {
 }
 
 void summarisePasses(const Samples& samples, bool software, report::Record& record) {
-  std::string why = samples.stamped.empty() ? "no stamped frame was measured"
+  std::string why = samples.stamped.empty()            ? "no stamped frame was measured"
                     : !samples.passesUntrusted.empty() ? samples.passesUntrusted
                     // On other devices wall time holds the way to the device and back.
                     : software ? whyPassesUntrusted(samples.stamped)
@@ -107,7 +107,8 @@ void summarise(const Samples& samples, bool software, report::Record& record) {
   record.wall = spread([](const FrameResult& f) { return f.wallMs; });
   record.cpu = spread([](const FrameResult& f) { return f.cpuMs; });
   record.record = spread([](const FrameResult& f) { return f.recordMs; });
-  record.submitMs = report::median(collect(samples, [](const FrameResult& f) { return f.submitMs; }));
+  record.submitMs =
+      report::median(collect(samples, [](const FrameResult& f) { return f.submitMs; }));
   record.compileMs = samples.compileMs;
   if (any.deviceMs)
     record.device_ = spread([](const FrameResult& f) { return f.deviceMs.value_or(0); });

@@ -19,7 +19,7 @@ struct SampleBlock {
 
 struct Samples {
   double compileMs = 0;  ///< pipeline creation plus what the first frame took beyond a warm one
-  std::vector<SampleBlock> blocks;       ///< plain frames
+  std::vector<SampleBlock> blocks;  ///< plain frames
   std::vector<FrameResult> stamped;
   std::optional<FrameResult> counted;
   std::string passesUntrusted;  ///< why the device's stamps of passes are not believed, or ""

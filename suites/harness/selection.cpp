@@ -60,11 +60,11 @@ std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pai
       throw InputError("--set", "found '" + text + "', expected knob=value[,value...]");
     Sweep sweep{text.substr(0, equals), split(text.substr(equals + 1), ',')};
     if (!known.contains(sweep.knob))
-      throw InputError("--set", unknownName("knob", sweep.knob,
-                                            std::vector(known.begin(), known.end())));
+      throw InputError("--set",
+                       unknownName("knob", sweep.knob, std::vector(known.begin(), known.end())));
     if (std::ranges::find(sweeps, sweep.knob, &Sweep::knob) != sweeps.end())
-      throw InputError("--set", "found the knob " + sweep.knob +
-                                    " twice, expected all its values in one list");
+      throw InputError(
+          "--set", "found the knob " + sweep.knob + " twice, expected all its values in one list");
     sweeps.push_back(std::move(sweep));
   }
   return sweeps;
@@ -129,9 +129,9 @@ std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
   for (const CellId& id : cells)
     if (std::regex_search(cellName(id), regex) != exclude) kept.push_back(id);
   if (kept.empty())
-    throw InputError("--filter", exclude ? "every cell's name matches '" + filter +
-                                               "', which is to be left out"
-                                         : noMatch(filter, cells));
+    throw InputError("--filter",
+                     exclude ? "every cell's name matches '" + filter + "', which is to be left out"
+                             : noMatch(filter, cells));
   return kept;
 }
 

@@ -21,22 +21,22 @@ class Load {
                                              .width = 256,
                                              .height = 256,
                                              .use = rhi::TextureUse::ColorTarget});
-    m_pipeline = context.pipelines.get(
-        {.label = "timer load",
-         .vertex = &context.shaders.get("common/fullscreen.vert"),
-         .fragment = &context.shaders.get("common/timer_load.frag"),
-         .targets = {{.format = rhi::Format::RGBA16Float,
-                      .blend = {.enabled = true, .dstColor = rhi::BlendFactor::One,
-                                .dstAlpha = rhi::BlendFactor::One}}}});
+    m_pipeline =
+        context.pipelines.get({.label = "timer load",
+                               .vertex = &context.shaders.get("common/fullscreen.vert"),
+                               .fragment = &context.shaders.get("common/timer_load.frag"),
+                               .targets = {{.format = rhi::Format::RGBA16Float,
+                                            .blend = {.enabled = true,
+                                                      .dstColor = rhi::BlendFactor::One,
+                                                      .dstAlpha = rhi::BlendFactor::One}}}});
   }
 
   /// `passes` passes of `draws` blended full-screen triangles each.
   FrameResult run(uint32_t passes, uint32_t draws, FrameMode mode) {
     return m_runner.run(mode, [&](Frame& frame) {
       for (uint32_t p = 0; p < passes; ++p) {
-        const rhi::ColorAttachment color{
-            .view = {.texture = m_target},
-            .load = p == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load};
+        const rhi::ColorAttachment color{.view = {.texture = m_target},
+                                         .load = p == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load};
         frame.pass({.label = "load", .colors = std::span(&color, 1)}, PassGroup::Scene,
                    [&](rhi::CommandList& commands) {
                      for (uint32_t i = 0; i < draws; ++i)

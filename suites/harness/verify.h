@@ -15,7 +15,8 @@ std::string contentHashOf(const report::Picture& picture);
 /// Values (of any channel) that are NaN or infinite.
 uint64_t countNonFinite(const report::Picture& picture);
 
-/// Largest difference of a colour channel in steps of the 8-bit sRGB picture; 255 for different sizes.
+/// Largest difference of a colour channel in steps of the 8-bit sRGB picture; 255 for different
+/// sizes.
 int maxDifference255(const report::Picture& a, const report::Picture& b);
 /// Pixels that differ by more than one such step in any channel.
 uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b);
@@ -23,8 +24,8 @@ uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b)
 /// All pixels have one value, as when nothing of the scene was drawn.
 bool isUniform(const report::Picture& picture);
 
-/// Why a verified record cannot be believed, or "": pictures that are not finite or not those of the
-/// untimed run, scenes of which nothing was drawn.
+/// Why a verified record cannot be believed, or "": pictures that are not finite or not those of
+/// the untimed run, scenes of which nothing was drawn.
 std::string whyRefused(const report::Record& record);
 
 }  // namespace sb

@@ -11,7 +11,8 @@ class Compare : public testing::Test {
   /// A cell on `backend` whose frames all take `cpuMs` and whose picture has one grey.
   void add(const std::string& technique, const std::string& backend, double cpuMs, float grey) {
     CellResult r;
-    r.id = {.technique = technique, .transparency = "Sorted", .backend = backend, .scene = "layers"};
+    r.id = {
+        .technique = technique, .transparency = "Sorted", .backend = backend, .scene = "layers"};
     r.record.name = cellName(r.id);
     r.picture = {1, 1, {grey, grey, grey, 1}};
     FrameResult frame;
@@ -23,7 +24,8 @@ class Compare : public testing::Test {
   }
   void compare() {
     std::vector<Measured> cells;
-    for (size_t i = 0; i < m_results.size(); ++i) cells.push_back({&m_results[i], &m_samples[i], true});
+    for (size_t i = 0; i < m_results.size(); ++i)
+      cells.push_back({&m_results[i], &m_samples[i], true});
     compareCells(cells);
   }
   report::Record& record(size_t i) { return m_results[i].record; }

@@ -34,8 +34,12 @@ class NullGroup : public testing::Test {
   NullGroup() { shadowbench_shader_blob::addTo(m_shaders); }
 
   static CellId cell(const std::string& technique, const std::string& backend) {
-    return {.technique = technique, .transparency = "Sorted", .backend = backend,
-            .scene = "layers", .width = 16, .height = 16};
+    return {.technique = technique,
+            .transparency = "Sorted",
+            .backend = backend,
+            .scene = "layers",
+            .width = 16,
+            .height = 16};
   }
   static MeasureSettings settings() {
     MeasureSettings s;
@@ -54,9 +58,9 @@ class NullGroup : public testing::Test {
 };
 
 TEST_F(NullGroup, FillsARecordOfEveryCell) {
-  const auto results = measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan"),
-                                cell("ShadowMap", "opengl")},
-                               settings());
+  const auto results =
+      measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan"), cell("ShadowMap", "opengl")},
+              settings());
   ASSERT_EQ(results.size(), 3u);
   for (const CellResult& result : results) {
     const report::Record& r = result.record;
@@ -77,8 +81,7 @@ TEST_F(NullGroup, FillsARecordOfEveryCell) {
 }
 
 TEST_F(NullGroup, ABackendThatDoesNotStartIsSkippedWithTheReason) {
-  const auto results =
-      measure({cell("none", "opengl-osmesa"), cell("none", "vulkan")}, settings());
+  const auto results = measure({cell("none", "opengl-osmesa"), cell("none", "vulkan")}, settings());
   EXPECT_EQ(results[0].record.status, report::Status::Skipped);
   EXPECT_NE(results[0].record.reason.find("no driver"), std::string::npos);
   EXPECT_EQ(results[1].record.status, report::Status::Ok);

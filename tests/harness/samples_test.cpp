@@ -22,8 +22,13 @@ FrameResult plain(double wallMs, double cpuMs) {
 FrameResult stamped(double shadowMs, double sceneMs, double wallMs) {
   FrameResult f = plain(wallMs, wallMs);
   f.stampedMs = shadowMs + sceneMs + 0.01;
-  f.passes = {{.label = "map", .group = PassGroup::Shadow, .counters = {}, .ms = shadowMs, .fragments = {}},
-              {.label = "camera", .group = PassGroup::Scene, .counters = {}, .ms = sceneMs, .fragments = {}}};
+  f.passes = {
+      {.label = "map", .group = PassGroup::Shadow, .counters = {}, .ms = shadowMs, .fragments = {}},
+      {.label = "camera",
+       .group = PassGroup::Scene,
+       .counters = {},
+       .ms = sceneMs,
+       .fragments = {}}};
   return f;
 }
 

@@ -49,8 +49,9 @@ TEST(Selection, NamesSayWhatDiffersFromTheDefaultAndNoMore) {
   std::set<std::string> names;
   for (const CellId& c : cells) names.insert(cellName(c));
   for (const std::string& name : names) {
-    EXPECT_TRUE(std::regex_match(name, std::regex("CSSM2/opengl-osmesa/spheres_quads:quads=7,size=0.5"
-                                                  "(/kernel:[13])?/seed:5/64x32")))
+    EXPECT_TRUE(
+        std::regex_match(name, std::regex("CSSM2/opengl-osmesa/spheres_quads:quads=7,size=0.5"
+                                          "(/kernel:[13])?/seed:5/64x32")))
         << name;
   }
 }
@@ -116,8 +117,9 @@ TEST(Selection, ErrorsNameTheNearest) {
             std::string::npos);
   EXPECT_NE(errorOf({.sets = {"kernal=3"}, .filter = {}, .size = {}}).find("kernel"),
             std::string::npos);
-  EXPECT_NE(errorOf({.filter = "CSM2/vulkan/windo", .size = {}}).find("CSSM2/vulkan/window/512x512"),
-            std::string::npos);
+  EXPECT_NE(
+      errorOf({.filter = "CSM2/vulkan/windo", .size = {}}).find("CSSM2/vulkan/window/512x512"),
+      std::string::npos);
 }
 
 TEST(Selection, ErrorsSayWhatWasExpected) {

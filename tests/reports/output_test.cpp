@@ -32,9 +32,12 @@ std::vector<std::vector<std::string>> readCsv(const std::string& text) {
   for (size_t i = 0; i < text.size(); ++i) {
     std::string& field = rows.back().back();
     if (inside) {
-      if (text[i] != '"') field += text[i];
-      else if (i + 1 < text.size() && text[i + 1] == '"') field += text[++i];
-      else inside = false;
+      if (text[i] != '"')
+        field += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else
+        inside = false;
     } else if (text[i] == '"') {
       EXPECT_TRUE(field.empty()) << "a quote within a bare field";
       inside = true;

@@ -37,17 +37,31 @@ Record good() {
   r.why["device_ms"] = "plain frames carry no stamps";
   r.submitMs = 0.5;
   r.compileMs = 400;
-  r.passes = {{.label = "shadow map", .ms = 1, .share = 0.25, .draws = 1, .triangles = 12,
+  r.passes = {{.label = "shadow map",
+               .ms = 1,
+               .share = 0.25,
+               .draws = 1,
+               .triangles = 12,
                .fragments = 4096},
               {.label = "camera", .ms = 2, .share = 0.5, .draws = 2, .triangles = 24}};
   r.shadowMs = 1;
   r.sceneMs = 2;
   r.combinedMs = 3;
   r.stampedFrameMs = 4;
-  r.ratios = {{.kind = "baseline", .against = "none/vulkan/layers/64x32", .of = "cpu_ms",
-               .value = 2, .low = 1.5, .high = 2.5, .n = 2},
-              {.kind = "backend", .against = "ShadowMap/opengl/layers/64x32", .of = "cpu_ms",
-               .value = 1.25, .low = 1.125, .high = 1.5, .n = 2}};
+  r.ratios = {{.kind = "baseline",
+               .against = "none/vulkan/layers/64x32",
+               .of = "cpu_ms",
+               .value = 2,
+               .low = 1.5,
+               .high = 2.5,
+               .n = 2},
+              {.kind = "backend",
+               .against = "ShadowMap/opengl/layers/64x32",
+               .of = "cpu_ms",
+               .value = 1.25,
+               .low = 1.125,
+               .high = 1.5,
+               .n = 2}};
   r.blocks = {{.frames = 2, .frameMs = 2.5, .cpuMs = 5}, {.frames = 2, .frameMs = 3, .cpuMs = 4}};
   r.stoppedBy = "precision";
   r.precision = 0.04;

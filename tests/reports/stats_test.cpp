@@ -41,9 +41,8 @@ TEST(Stats, DistributionOfKnownSamples) {
 
 // Ranks of the distribution-free 95 % interval, as printed in tables of the sign test.
 TEST(Stats, MedianIntervalHasTheBinomialRanks) {
-  const std::pair<int, int> kLowRank[] = {{6, 1},   {8, 1},   {9, 2},   {10, 2},
-                                          {12, 3},  {15, 4},  {20, 6},  {25, 8},
-                                          {30, 10}, {50, 18}, {100, 40}};
+  const std::pair<int, int> kLowRank[] = {{6, 1},  {8, 1},  {9, 2},   {10, 2},  {12, 3},  {15, 4},
+                                          {20, 6}, {25, 8}, {30, 10}, {50, 18}, {100, 40}};
   for (const auto& [n, rank] : kLowRank) {
     const Interval i = medianInterval(oneTo(n));
     EXPECT_EQ(i.low, rank) << n << " samples";
