@@ -82,7 +82,9 @@ GPU_TEST(Cssm2Rule, EveryTexelHoldsTheNearestBlockerOfEachChannel) {
         ++checked;
       }
     EXPECT_GT(checked, 10000u);
-    if (std::string(numbers) == "independent") EXPECT_GT(worked, 100u);
+    if (std::string(numbers) == "independent") {
+      EXPECT_GT(worked, 100u);
+    }
   }
 }
 

@@ -81,7 +81,8 @@ std::vector<Vec4> ask(rhi::Device& device, const char* shader, const rhi::Textur
 /// Spec 01's worked example: rows 1 and 2 hold 0.2, 0.2, 0.8, 0.8; the others too.
 std::vector<float> workedRows() {
   std::vector<float> texels;
-  for (int y = 0; y < 4; ++y) texels.insert(texels.end(), {0.2f, 0.2f, 0.8f, 0.8f});
+  for (int y = 0; y < 4; ++y)
+    for (const float d : {0.2f, 0.2f, 0.8f, 0.8f}) texels.push_back(d);
   return texels;
 }
 

@@ -64,8 +64,9 @@ TEST_P(Pictures, AgreeAcrossBackends) {
     const auto [low, high] = std::ranges::minmax_element(first.picture.rgba);
     EXPECT_GT(*high - *low, 0.5f);
     EXPECT_LT(*std::ranges::min_element(first.depth), 1);
-    if (made.contains("opengl") && made.contains("opengl-osmesa"))
+    if (made.contains("opengl") && made.contains("opengl-osmesa")) {
       EXPECT_EQ(made["opengl"].picture.rgba, made["opengl-osmesa"].picture.rgba);
+    }
   }
   for (const auto& [backend, device] : devices)
     for (const rhi::Message& m : device->takeMessages())
