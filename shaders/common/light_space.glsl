@@ -63,9 +63,9 @@ LightSample lightSample(uint light, Receiver r) {
   s.texel = view.texel.x;
   s.layer = view.origin.w;
   float slope = (abs(gradient.x) + abs(gradient.y)) * s.texel;
-  // Quantisation of the map, rounding of the projection, and the 1/256-texel grid that rasterisers
-  // snap vertices to.
-  s.bias = 2.0 * view.texel.y + 4.8e-7 + slope * (1.0 / 64.0);
+  // Quantisation of the map, rounding of two projections (four ulps: with two, lit walls of point
+  // lights show acne), and the 1/256-texel grid that rasterisers snap vertices to.
+  s.bias = 2.0 * view.texel.y + 2.4e-7 + slope * (1.0 / 64.0);
   s.gradient = vec2(0);
   if (kBias == BIAS_PLANE) s.gradient = gradient;
   if (kBias == BIAS_SLOPE) s.bias += slope * radius;

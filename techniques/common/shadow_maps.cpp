@@ -31,7 +31,9 @@ float depthStep(rhi::Format format) {
     case rhi::Format::RGB10A2Unorm: return 0x1p-10f;
     case rhi::Format::D16Unorm:
     case rhi::Format::RGBA16Unorm: return 0x1p-16f;
-    default: return 0x1p-24f;
+    case rhi::Format::D24Unorm:
+    case rhi::Format::D24UnormS8: return 0x1p-24f;
+    default: return 0;  // floats keep the depth that was computed
   }
 }
 

@@ -52,7 +52,7 @@ class ShadowMaps {
   std::vector<DrawList> m_plain, m_surfaces;
 };
 
-/// Smallest step of depth that a format tells apart near 1.
+/// Step of depth that storing in a format rounds to; 0 for floats, which keep what was computed.
 float depthStep(rhi::Format format);
 
 }  // namespace sb

@@ -100,11 +100,19 @@ TEST_F(NullGroup, InterruptionGivesTheGroupUp) {
 TEST_F(NullGroup, DevicesWithoutTrustedTimersGiveNoTimes) {
   MeasureSettings s = settings();
   s.checkTimers = true;
-  // The null device draws nothing: twice the work takes no longer.
-  const auto results = measure({cell("none", "vulkan")}, s);
+  Devices devices({&m_vulkan, &m_opengl}, m_shaders, {});
+  devices.open("vulkan")->timers = {{"twice the work", "ratio 1.0", false, TimerUse::Frame}};
+  devices.open("opengl")->timers = {{"passes sum up", "0.1 of it", false, TimerUse::Passes}};
+  const auto results =
+      measureGroup({cell("none", "vulkan"), cell("none", "opengl")}, devices, s, "");
   EXPECT_EQ(results[0].record.status, report::Status::Failed);
-  EXPECT_NE(results[0].record.reason.find("timer not trusted"), std::string::npos);
+  EXPECT_EQ(results[0].record.reason, "timer not trusted: twice the work: ratio 1.0");
   EXPECT_FALSE(results[0].record.frame);
+  // The frame's time does not rest on the stamps of passes.
+  EXPECT_EQ(results[1].record.status, report::Status::Ok);
+  EXPECT_TRUE(results[1].record.frame);
+  EXPECT_TRUE(results[1].record.passes.empty());
+  EXPECT_EQ(results[1].record.why.at("passes"), "timer not trusted: passes sum up: 0.1 of it");
 }
 
 }  // namespace
