@@ -70,6 +70,15 @@ TEST(Samples, PassesAddUpToNoMoreThanTheStampedFrame) {
   EXPECT_EQ(*r.shadowMs, 6) << "of the frame in the middle";
 }
 
+TEST(Samples, RoundingDoesNotPushPassesBeyondTheFrame) {
+  Samples s = samplesOf();
+  s.stamped = {stamped(0.1, 0.2, 0.31)};
+  s.stamped[0].stampedMs = 0.3;  // 0.1 + 0.2 is more than that
+  report::Record r;
+  summarise(s, true, r);
+  EXPECT_LE(*r.combinedMs, *r.stampedFrameMs);
+}
+
 TEST(Samples, GraphicsDevicesAreTimedByTheirStampsAlone) {
   Samples s = samplesOf();
   for (SampleBlock& b : s.blocks)
