@@ -144,7 +144,7 @@ struct Camera {
 };
 
 struct Scene {
-  std::string name;    ///< as it stands in names of cells: "layers", "Sponza.gltf"
+  std::string name;    ///< canonical spec of a procedural scene, stem of a file: "layers", "Sponza"
   std::vector<Image> images;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
