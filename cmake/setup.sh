@@ -58,8 +58,11 @@ setup_build() { # arguments: targets
     (cd "$root" && cmake --preset release -DSHADOWBENCH_WERROR=$werror) >"$log" 2>&1 ||
       { cat "$log" >&2; return 1; }
   fi
-  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
-    say "Building (several minutes the first time; $build/build.log)"
-  fi
-  ninja -C "$build" "$@" >"$build/build.log" 2>&1 || { cat "$build/build.log" >&2; return 1; }
+  # Only a build that takes its time is worth a word.
+  (sleep 1 >/dev/null 2>&1 && say "Building (several minutes the first time; $build/build.log)") &
+  local notice=$! status=0
+  ninja -C "$build" "$@" >"$build/build.log" 2>&1 || status=$?
+  kill $notice 2>/dev/null || true
+  wait $notice 2>/dev/null || true
+  [ $status = 0 ] || { cat "$build/build.log" >&2; return 1; }
 }
