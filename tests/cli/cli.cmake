@@ -1,5 +1,9 @@
 # The real program from outside: arguments, exit codes, files, signals, missing drivers, the README.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-add_test(NAME cli
-  COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/cli_test.py $<TARGET_FILE:bench>
-    ${CMAKE_SOURCE_DIR})
+foreach(part input measuring world)
+  add_test(NAME cli.${part}
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/${part}_test.py $<TARGET_FILE:bench>
+      ${CMAKE_SOURCE_DIR})
+  # No compiled Python beside the sources.
+  set_tests_properties(cli.${part} PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+endforeach()

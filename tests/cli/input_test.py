@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Arguments and their errors; names of cells."""
+import csv
+import json
+import os
+
+from program import FAST, Case, run, main
+
+
+class WrongInput(Case):
+    def refused(self, arguments, *words):
+        result = run(*arguments)
+        self.assertEqual(result.returncode, 2, f"{arguments}: {result.stderr}")
+        self.assertEqual(result.stdout, "")
+        for word in words:
+            self.assertIn(word, result.stderr, str(arguments))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_unknown_names_give_the_nearest(self):
+        self.refused(["--technique", "CSM2"], "technique", "CSM2", "CSSM2")
+        self.refused(["--technique", "CSSM2+Sortd"], "Sortd", "Sorted")
+        self.refused(["--backend", "vulcan"], "--backend", "vulkan")
+        self.refused(["--scene", "layer"], "layer", "layers")
+        self.refused(["--scene", "spheres_quads:quad=3"], "quad", "quads")
+        self.refused(["--set", "kernal=3"], "--set", "kernal", "kernel")
+        self.refused(["--filter=CSM2/vulkan/windo"], "--filter", "CSSM2/vulkan/window/512x512")
+        self.refused(["--benchmark_filter=CSM2/vulkan/windo"], "CSSM2/vulkan/window/512x512")
+        self.refused(["scene", "layer"], "layers")
+        self.refused(["render", "--technique", "CSM2"], "CSSM2")
+
+    def test_bad_values_name_the_option_and_what_is_expected(self):
+        for arguments, word in [
+            (["--size", "0x3"], "--size"), (["--size", "3"], "--size"),
+            (["--size", "99999x1"], "--size"), (["--seed", "-1"], "--seed"),
+            (["--seed", "x"], "--seed"), (["--budget", "x"], "--budget"),
+            (["--budget", "-1"], "--budget"), (["--precision", "0"], "--precision"),
+            (["--precision", "nan"], "--precision"), (["--gl", "foo"], "--gl"),
+            (["--set", "kernel"], "--set"), (["--set", "kernel=4"], "kernel"),
+            (["--filter=("], "--filter"), (["--scene", "layers:gap=x"], "gap"),
+            (["--benchmark_repetitions=x"], "--benchmark_repetitions"),
+            (["--benchmark_nonsense=1"], "--benchmark_nonsense"),
+            (["--nonsense"], "--nonsense"), (["nonsense"], "nonsense"),
+            (["--json", self.path("x"), "doctor"], "--json"),
+            (["doctor", "--benchmark_filter=x"], "--benchmark_filter"),
+            (["--filter=x", "--benchmark_filter=x"], "--benchmark_filter"),
+            (["render", "--technique", "none,CSSM2"], "render"),
+            (["--scene", "/nonexistent.glb"], "/nonexistent.glb"),
+            (["--shaders", "/nonexistent"], "/nonexistent"),
+        ]:
+            with self.subTest(arguments):
+                self.refused(arguments, word)
+
+    def test_files_that_cannot_be_written_are_refused_before_measuring(self):
+        bad = "/nonexistent/x"
+        for option in ("--json", "--csv"):
+            self.refused([option, bad], option, bad)
+        self.refused(["--json", self.folder], "--json", "folder")
+        self.refused([f"--benchmark_out={bad}"], "--benchmark_out", bad)
+        self.refused(["render", "-o", bad], "--output", bad)
+        self.refused(["scene", "layers", "--export", bad + ".glb"], bad)
+
+    def test_a_broken_file_is_refused_before_measuring(self):
+        broken = self.path("broken.gltf")
+        with open(broken, "w") as file:
+            file.write('{"asset": {"version": "2.0"}, "scenes": 3}')
+        result = run("--scene", "layers", "--scene", broken, *FAST)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(broken, result.stderr)
+        self.assertEqual(result.stdout, "")
+
+    def test_an_unknown_device_names_those_there_are(self):
+        result = run("--device", "voodoo", "--scene", "layers", *FAST)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("voodoo", result.stderr)
+        self.assertIn("--device", result.stderr)
+        self.assertEqual(run("render", "--device", "voodoo", "-o", self.path("x")).returncode, 2)
+
+
+class Names(Case):
+    def test_list_and_help(self):
+        names = self.ok("--list").stdout.split()
+        self.assertEqual(len(names), len(set(names)))
+        self.assertEqual({name.split("/")[-1] for name in names}, {"256x256"})
+        self.assertEqual({name.split("/")[1] for name in names}, {"vulkan", "opengl"})
+        for technique in ("none", "ShadowMap", "CSSM2"):
+            self.assertIn(f"{technique}/vulkan/window/256x256", names)
+        self.assertEqual(self.ok("--benchmark_list_tests").stdout.split(), names)
+        self.assertIn("opengl-osmesa", self.ok("--list", "--gl=osmesa").stdout)
+        text = self.ok("--help").stdout
+        for option in ("--filter", "--set", "--budget", "--precision", "--json", "render", "doctor",
+                       "Exit code"):
+            self.assertIn(option, text)
+        self.assertRegex(self.ok("--version").stdout, r"^\d+\.\d+\.\d+\n$")
+
+    def test_sweeps_and_filters(self):
+        names = self.ok("--list", "--technique", "ShadowMap,none", "--backend", "vulkan", "--scene",
+                        "layers", "--set", "size=512,1024", "--size", "8x8").stdout.split()
+        self.assertEqual(sorted(names), ["ShadowMap/vulkan/layers/8x8",
+                                         "ShadowMap/vulkan/layers/size:512/8x8",
+                                         "none/vulkan/layers/8x8"])
+        names = self.ok("--list", "--filter=^CSSM2/.*/window").stdout.split()
+        self.assertEqual(len(names), 2)
+        names = self.ok("--benchmark_list_tests=true", "--benchmark_filter=-CSSM2").stdout
+        self.assertNotIn("CSSM2", names)
+
+
+if __name__ == "__main__":
+    main()

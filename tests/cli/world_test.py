@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Missing drivers, scenes exported and read again, every command of the README."""
+import json
+import os
+import re
+import shlex
+
+from program import FAST, NO_EGL, NO_VULKAN, SOURCE, Case, run, main
+
+
+class Drivers(Case):
+    def test_a_missing_driver_is_named_and_the_other_goes_on(self):
+        for env, gone, left in ((NO_VULKAN, "vulkan", "opengl"), (NO_EGL, "opengl", "vulkan")):
+            with self.subTest(gone):
+                result = self.ok("--technique", "none", "--scene", "layers", *FAST, env=env)
+                self.assertIn(f"backend {gone} does not start", result.stderr)
+                self.assertIn(f"none/{left}/layers", result.stdout)
+                self.assertNotIn(f"none/{gone}/layers", result.stdout)
+                named = run("--backend", gone, "--technique", "none", "--scene", "layers", *FAST,
+                            env=env)
+                self.assertEqual(named.returncode, 1)
+                self.assertIn("skipped: the backend does not start", named.stdout)
+
+    def test_no_driver_at_all_is_a_failure_that_says_so(self):
+        result = run("--technique", "none", "--scene", "layers", *FAST, env={**NO_VULKAN, **NO_EGL})
+        self.assertEqual(result.returncode, 1)
+        for backend in ("vulkan", "opengl"):
+            self.assertIn(f"backend {backend} does not start", result.stderr)
+
+    def test_doctor_says_why(self):
+        text = self.ok("doctor", env={**NO_VULKAN, **NO_EGL}).stdout
+        self.assertEqual(text.count("not available: "), 2)
+        self.assertIn("opengl-osmesa", text)
+        self.assertIn("twice the work takes twice the time", text)
+        self.assertNotIn("GPU", text)
+
+
+class Scenes(Case):
+    def test_the_export_renders_the_same_picture(self):
+        for scene in ("layers", "window"):
+            with self.subTest(scene):
+                file = self.path(f"{scene}.glb")
+                self.ok("scene", scene, "--export", file)
+                for name, source in (("a", scene), ("b", file)):
+                    self.ok("render", "--technique", "ShadowMap", "--scene", source, "--size",
+                            "48x32", "-o", self.path(name), "--visibility")
+                for suffix in (".png", ".exr", ".visibility.light0.opaque.exr"):
+                    with open(self.path("a" + suffix), "rb") as a:
+                        with open(self.path("b" + suffix), "rb") as b:
+                            self.assertEqual(a.read(), b.read(), suffix)
+
+    def test_scene_says_what_is_in_it(self):
+        self.assertIn("triangles", self.ok("scene", "teapot").stdout)
+        self.assertIn("meshes", json.loads(self.ok("scene", "teapot", "--json").stdout))
+
+
+class Readme(Case):
+    """Every command line of the README runs; measuring ones with a small budget."""
+
+    def test_commands(self):
+        with open(os.path.join(SOURCE, "README.md")) as file:
+            blocks = re.findall(r"```sh\n(.*?)```", file.read(), re.DOTALL)
+        self.assertTrue(blocks)
+        scene = self.path("scene.glb")
+        self.ok("scene", "teapot", "--export", scene)
+        commands = 0
+        for line in "".join(blocks).splitlines():
+            words = shlex.split(line, comments=True)
+            if not words or words[0] != "./bench":
+                continue
+            commands += 1
+            words = words[1:]
+            if not words or words[0].startswith("-"):
+                words += ["--budget", "0.01", "--benchmark_repetitions=1"]
+                # A size of the README's own stays.
+                words += [] if "--size" in words else ["--size", "16x16"]
+            with self.subTest(line):
+                self.ok(*words, cwd=self.folder)
+        self.assertGreater(commands, 5)
+
+
+if __name__ == "__main__":
+    main()
