@@ -79,6 +79,46 @@ void addDistribution(std::vector<Column>& columns, const std::string& name,
   add("n", [](const Distribution& d) { return d.n; });
 }
 
+void addError(std::vector<Column>& columns, const std::string& name,
+              const std::function<const ErrorStats*(const Record&)>& get) {
+  auto add = [&](const char* part, auto pick) {
+    columns.push_back({name + "_" + part, [get, pick](const Record& r) {
+                         const ErrorStats* e = get(r);
+                         return e ? number(pick(*e)) : std::string();
+                       }});
+  };
+  add("rmse", [](const ErrorStats& e) { return e.rmse; });
+  add("bias", [](const ErrorStats& e) { return e.bias; });
+  add("max", [](const ErrorStats& e) { return e.max; });
+  add("p999", [](const ErrorStats& e) { return e.p999; });
+  add("over_1_255", [](const ErrorStats& e) { return e.over1; });
+}
+
+void addErrors(std::vector<Column>& c) {
+  addError(c, "visibility", [](const Record& r) { return r.visibility ? &r.visibility->all : nullptr; });
+  addError(c, "visibility_interior",
+           [](const Record& r) { return r.visibility ? &r.visibility->interior : nullptr; });
+  addError(c, "image", [](const Record& r) { return r.image ? &r.image->all : nullptr; });
+  addError(c, "image_interior",
+           [](const Record& r) { return r.image ? &r.image->interior : nullptr; });
+  auto add = [&](const char* name, auto value) { c.push_back({name, value}); };
+  add("image_relmse", [](const Record& r) { return r.image ? number(r.image->relmse) : ""; });
+  add("image_flip", [](const Record& r) { return r.image ? number(r.image->flip) : ""; });
+  add("noise", [](const Record& r) { return r.noise ? number(r.noise->noise) : ""; });
+  add("noise_bias_rmse", [](const Record& r) { return r.noise ? number(r.noise->biasRmse) : ""; });
+  add("noise_seeds", [](const Record& r) { return r.noise ? std::to_string(r.noise->seeds) : ""; });
+  add("unbiased", [](const Record& r) {
+    return std::string(!r.certificate ? "" : r.certificate->unbiased ? "true" : "false");
+  });
+  add("blame", [](const Record& r) {
+    std::vector<std::string> parts;
+    if (r.blame)
+      for (const auto& [cause, share] : r.blame->shares) parts.push_back(cause + ":" + number(share));
+    return joined(parts);
+  });
+  add("truth_stderr", [](const Record& r) { return optionalNumber(r.truthStderr); });
+}
+
 std::string knobText(const Record& r) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : r.knobs) parts.push_back(name + ":" + value);
@@ -132,6 +172,7 @@ std::vector<Column> makeColumns() {
   add("draw_count", [](const Record& r) { return countOf(r, r.drawCount); });
   add("triangle_count", [](const Record& r) { return countOf(r, r.triangleCount); });
   add("bytes", [](const Record& r) { return countOf(r, r.bytes); });
+  addErrors(c);
   add("nonfinite", [](const Record& r) { return optionalNumber(r.nonfinite); });
   add("stable", [](const Record& r) {
     return std::string(!r.stable ? "" : *r.stable ? "true" : "false");

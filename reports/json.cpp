@@ -4,17 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "reports/json_error.h"
 #include "reports/stats/stats.h"
 
 namespace report {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// `<key>_why` for what is absent, when a reason is known.
-void putWhy(Json& out, const Record& r, const std::string& key, bool absent) {
-  if (auto why = r.why.find(key); absent && why != r.why.end()) out[key + "_why"] = why->second;
-}
 
 /// null for what is absent.
 template <class T>
@@ -102,13 +96,13 @@ void putResults(Json& out, const Record& r) {
   out["triangle_count"] = r.triangleCount;
   out["bytes"] = r.bytes;
   out["bytes_by_label"] = r.bytesByLabel;
-  for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
-    put(out, r, key, std::optional<double>());
   put(out, r, "nonfinite", r.nonfinite);
   put(out, r, "stable", r.stable);
   put(out, r, "cross_backend_max_255", r.crossBackendMax255);
   put(out, r, "cross_backend_over_1_255", r.crossBackendOver1);
   out["picture"] = r.picture;
+  putErrors(out, r);
+  out["pictures"] = r.pictures;
 }
 
 void putOutcome(Json& out, const Record& r) {

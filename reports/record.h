@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "reports/error_record.h"
+
 namespace report {
 
 /// Spread of a sampled quantity.
@@ -86,6 +88,16 @@ struct Record {
   std::optional<uint64_t> crossBackendOver1;  ///< pixels that differ by more than 1/255
   std::optional<uint64_t> nonfinite;          ///< values of the picture that are not finite
   std::string picture;                        ///< content hash of the picture
+  // error against the truth, of the very frame that was verified
+  std::optional<VisibilityError> visibility;  ///< over all lights and layers
+  std::vector<LayerError> visibilityLayers;
+  std::optional<ImageError> image;
+  std::optional<NoiseRecord> noise;           ///< stochastic techniques only
+  std::optional<Certificate> certificate;     ///< stochastic techniques only
+  std::optional<Blame> blame;
+  std::optional<double> truthStderr;          ///< standard error of the truth; 0: exact
+  /// Pictures beside the results, content hashes by role: "image", "truth", "error", "blame".
+  std::map<std::string, std::string> pictures;
   // outcome
   Status status = Status::Ok;
   std::string reason;

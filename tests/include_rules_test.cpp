@@ -23,7 +23,7 @@ const std::map<std::string, std::vector<std::string>> kAllowed = {
     {"shaders/common", {}},
     {"techniques", {"backends/rhi", "shaders/common/shared_"}},
     {"suites/scenes", {"techniques/common"}},
-    {"suites/truth", {"techniques/common"}},
+    {"suites/truth", {"techniques/common", "shaders/common/shared_"}},
     {"suites/metrics", {"reports"}},
     {"suites/harness",
      {"suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports", "backends/rhi"}},

@@ -17,8 +17,57 @@ Record identity(const std::string& technique, const std::string& backend) {
               .version = "0.1.0",
               .command = "./bench --technique " + technique};
   for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
-    r.why[key] = "no truth, \"yet\"";
+    r.why[key] = "no truth, \"here\"";
   return r;
+}
+
+ErrorStats stats(double rmse) {
+  return {.rmse = rmse,
+          .bias = -0.0625,
+          .max = 1,
+          .p999 = 0.75,
+          .over1 = 0.25,
+          .rmseRgb = {rmse, rmse / 2, rmse / 4},
+          .biasRgb = {-0.125, -0.0625, 0},
+          .pixels = 2048};
+}
+
+void addErrors(Record& r) {
+  r.why = {{"device_ms", "plain frames carry no stamps"}};
+  r.visibility = VisibilityError{stats(0.125), stats(0.03125)};
+  r.visibilityLayers = {
+      {.light = 0, .lightName = "sun <1>", .layer = 0, .error = {stats(0.125), stats(0.03125)}}};
+  r.image = ImageError{.all = stats(0.25),
+                       .interior = stats(0.0625),
+                       .relmse = 0.5,
+                       .relmseInterior = 0.25,
+                       .flip = 0.375,
+                       .flipInterior = 0.125};
+  r.noise = NoiseRecord{.seeds = 64,
+                        .noise = 0.0625,
+                        .biasRmse = 0.03125,
+                        .bias = 0.015625,
+                        .rmseLow = 0.1,
+                        .rmseHigh = 0.15};
+  r.certificate = Certificate{.unbiased = true,
+                              .regions = {{.light = 0,
+                                           .layer = 1,
+                                           .channel = 2,
+                                           .x = 3,
+                                           .y = 4,
+                                           .pixels = 100,
+                                           .q = 0.5,
+                                           .trials = 1000,
+                                           .passes = 510,
+                                           .pValue = 0.5}}};
+  r.blame = Blame{.mse = 0.015625,
+                  .shares = {{"noise", 0.25},
+                             {"resolution", 0.5},
+                             {"inner-layer", 0},
+                             {"self-shadowing", 0.125},
+                             {"leaking", 0.125}}};
+  r.truthStderr = 0;
+  r.pictures = {{"image", "fedcba9876543210"}, {"truth", "00000000000000aa"}};
 }
 
 Record good() {
@@ -34,7 +83,6 @@ Record good() {
   r.wall = r.frame;
   r.cpu = Distribution{.median = 5, .q1 = 4.5, .q3 = 5.5, .cv = 0.0625, .n = 4};
   r.record = Distribution{.median = 0.25, .q1 = 0.25, .q3 = 0.25, .cv = 0, .n = 4};
-  r.why["device_ms"] = "plain frames carry no stamps";
   r.submitMs = 0.5;
   r.compileMs = 400;
   r.passes = {{.label = "shadow map",
@@ -75,6 +123,7 @@ Record good() {
   r.crossBackendOver1 = 0;
   r.nonfinite = 0;
   r.picture = "fedcba9876543210";
+  addErrors(r);
   return r;
 }
 

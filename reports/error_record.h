@@ -1,0 +1,85 @@
+// The error of a cell beside its cost, as plain data (spec 16, Error metrics; decision D10). Every
+// error is measured minus truth, in linear values: visibility in [0,1], or radiance before tone
+// mapping. Angles of view: `all` counts every compared pixel, `interior` leaves out the pixels within
+// 2 px of a discontinuity of the truth.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace report {
+
+/// Error over a set of pixels with three channels each; all 0 without pixels.
+struct ErrorStats {
+  double rmse = 0;   ///< over pixels and channels
+  double bias = 0;   ///< mean signed error over pixels and channels
+  double max = 0;    ///< largest absolute error of a channel
+  double p999 = 0;   ///< 99.9th percentile over pixels of a pixel's largest absolute error
+  double over1 = 0;  ///< share of pixels with a channel off by more than 1/255, [0,1]
+  std::array<double, 3> rmseRgb = {};
+  std::array<double, 3> biasRgb = {};
+  uint64_t pixels = 0;
+};
+
+struct VisibilityError {
+  ErrorStats all, interior;
+};
+
+/// Visibility error of one light at one layer of surfaces.
+struct LayerError {
+  uint32_t light = 0;  ///< index into the scene's lights
+  std::string lightName;
+  uint32_t layer = 0;  ///< 0: first opaque surface; 1..4: layers from the eye
+  VisibilityError error;
+};
+
+struct ImageError {
+  ErrorStats all, interior;
+  double relmse = 0;  ///< mean of squared error / (squared truth + 0.01)
+  double relmseInterior = 0;
+  double flip = 0;    ///< mean LDR-FLIP of the tone-mapped pictures, [0,1] (Andersson et al. 2020)
+  double flipInterior = 0;
+};
+
+/// A stochastic technique over seeds: how wrong its mean is, and how far one seed strays from it.
+struct NoiseRecord {
+  uint32_t seeds = 0;
+  double noise = 0;     ///< root mean over values of the variance over seeds
+  double biasRmse = 0;  ///< RMSE of the mean over seeds
+  double bias = 0;      ///< mean signed error of the mean over seeds
+  double rmseLow = 0;   ///< 95 % interval of the median RMSE of one seed
+  double rmseHigh = 0;
+};
+
+/// A region of receivers with one known expectation, and the exact binomial test on it.
+struct RegionTest {
+  uint32_t light = 0;
+  uint32_t layer = 0;
+  uint32_t channel = 0;   ///< 0 red, 1 green, 2 blue
+  uint32_t x = 0, y = 0;  ///< a pixel of the region, row 0 at the bottom
+  uint64_t pixels = 0;    ///< of the region
+  double q = 0;           ///< expectation: the truth's visibility
+  uint64_t trials = 0;
+  uint64_t passes = 0;
+  double pValue = 1;      ///< two-sided
+};
+
+/// Is the technique unbiased? True iff no region's p-value is below familyWiseError / regions.
+struct Certificate {
+  bool unbiased = false;
+  double familyWiseError = 1e-6;
+  std::vector<RegionTest> regions;  ///< all that were tested, none excused
+};
+
+/// The cell's total squared visibility error split by cause; shares sum to 1, or are empty when
+/// there is no error. Causes in order: "noise", "resolution", "inner-layer", "self-shadowing",
+/// "leaking".
+struct Blame {
+  double mse = 0;  ///< what is split: mean squared visibility error
+  std::vector<std::pair<std::string, double>> shares;
+};
+
+}  // namespace report

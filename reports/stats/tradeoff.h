@@ -1,0 +1,75 @@
+// What accuracy costs: points of (time, error), their Pareto front, and the tables that answer "what
+// do I get for this time" and "what do I pay for this error". Computed from records alone, so that a
+// report of an old file shows the same.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/record.h"
+#include "reports/stats/stats.h"
+
+namespace report {
+
+enum class ErrorKind : uint8_t { Visibility, Image };
+
+/// A cell's time and error with 95 % intervals.
+struct TradePoint {
+  const Record* record = nullptr;
+  double time = 0;  ///< milliseconds of the compared time: CPU on software devices, else GPU
+  Interval timeInterval;
+  double error = 0;  ///< RMSE
+  Interval errorInterval;  ///< over seeds; a point for what is not stochastic
+  uint64_t bytes = 0;
+  bool front = false;      ///< no other point is as fast and as exact, and better in one
+  bool uncertain = false;  ///< on the front, but another dominates it within the intervals
+};
+
+/// Best error of a technique within a time, or least time within an error; absent when none is.
+struct TableCell {
+  std::string technique;
+  const TradePoint* point = nullptr;
+};
+struct TableRow {
+  double limit = 0;  ///< a multiple of the baseline's time, or an RMSE
+  std::vector<TableCell> cells;  ///< one a technique, in the order of TradeOff::techniques
+};
+
+/// error ~ knob^-order, fitted over cells that differ in this knob alone.
+struct Convergence {
+  std::string technique;
+  std::string knob;
+  std::string others;  ///< the other knobs of the series, "kernel:9", or ""
+  double order = 0;
+  Interval interval;   ///< 95 %, of the slope's regression
+  uint32_t points = 0; ///< at least 3
+};
+
+/// "Halving the error costs x times the time", along a technique's own front.
+struct Exchange {
+  std::string technique;
+  std::optional<double> factor;  ///< absent: fewer than 3 points, or error does not fall with time
+  std::string text;              ///< one sentence for people
+};
+
+/// One scene at one size on one backend's device.
+struct TradeOff {
+  std::string scene, backend, device;
+  uint32_t width = 0, height = 0;
+  ErrorKind kind = ErrorKind::Visibility;
+  std::string timeKey;              ///< "cpu_ms" or "frame_ms"
+  std::optional<double> baseline;   ///< time of `none`, milliseconds
+  std::vector<std::string> techniques;  ///< in order of appearance
+  std::vector<TradePoint> points;   ///< cells that are ok, not contaminated, and have an error
+  std::vector<TableRow> equalTime;  ///< 1, 2, 4, 8, 16 times the baseline; empty without one
+  std::vector<TableRow> equalError; ///< RMSE 1e-1, 3e-2, 1e-2, 3e-3
+  std::vector<Convergence> orders;
+  std::vector<Exchange> exchanges;
+};
+
+/// `run` must outlive the result. The `RayTraced` row (backend "cpu") joins every backend's points of
+/// its scene when the compared time is CPU time.
+std::vector<TradeOff> tradeOffs(const Run& run, ErrorKind kind = ErrorKind::Visibility);
+
+}  // namespace report

@@ -1,0 +1,57 @@
+// The squared visibility error of a cell split by cause. Each value (pixel, channel) gives its
+// squared error to exactly one cause, except that the variance over seeds of a stochastic technique
+// goes to noise first.
+//   noise           what the mean over seeds does not have
+//   resolution      a shadow edge of the truth lies within the lookup's reach, or the pixel is at an
+//                   edge of a surface: texels and filter cannot do better there
+//   inner-layer     elsewhere, on a translucent receiver
+//   self-shadowing  elsewhere, darker than the truth
+//   leaking         elsewhere, lighter than the truth
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "suites/metrics/error.h"
+
+namespace sb {
+
+enum class Cause : uint8_t { Noise, Resolution, InnerLayer, SelfShadowing, Leaking };
+inline constexpr size_t kCauses = 5;
+const char* causeName(Cause cause);
+
+/// One light at one layer.
+struct BlameInput {
+  Values measured;              ///< of one seed; of the verified frame
+  Values truth;
+  Values mean;                  ///< over seeds; empty: not stochastic
+  Values variance;              ///< over seeds, RGB; empty: not stochastic
+  std::span<const uint8_t> edges;     ///< as Truth::edges
+  std::span<const uint8_t> surfaces;  ///< as Truth::surfaces of the layer
+  /// Does a shadow edge lie within the lookup's reach of a pixel? Asked only for pixels with an
+  /// error above 1/255 that are at no edge of `edges`. Null: no.
+  std::function<bool(uint32_t x, uint32_t y)> shadowEdgeNear;
+};
+
+class BlameSum {
+ public:
+  BlameSum(uint32_t width, uint32_t height);
+  /// Stochastic: splits E[e^2] = variance + (mean - truth)^2; else (measured - truth)^2.
+  void add(const BlameInput& input);
+  /// Shares sum to 1 within rounding.
+  report::Blame blame() const;
+  /// Colour of each pixel: its largest cause, as bright as its error's root (sRGB bytes, RGB, row 0
+  /// at the top). Colours in `causeColor`.
+  std::vector<uint8_t> picture() const;
+
+ private:
+  uint32_t m_width, m_height;
+  std::vector<std::array<float, kCauses>> m_squares;
+  uint64_t m_values = 0;
+};
+
+/// sRGB bytes.
+std::array<uint8_t, 3> causeColor(Cause cause);
+
+}  // namespace sb
