@@ -1,7 +1,8 @@
 // Coloured stochastic shadow maps, CSSM2 (McGuire and Enderton, I3D 2011); spec 04. One pass a
 // light: opaque depth into the depth map and into three colour channels, then translucent casters
-// by MIN blending, each channel kept with probability p = alpha (1 - t). N x N x 3 comparisons a
-// receiver. Right in expectation at every receiver; noise falls as 1/N, the filter blurs by N texels.
+// by MAX blending (depth is reversed: the nearest remains), each channel kept with probability
+// p = alpha (1 - t). N x N x 3 comparisons a receiver. Right in expectation at every receiver; noise
+// falls as 1/N, the filter blurs by N texels.
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/registry.h"
 #include "techniques/common/shadow_maps.h"
@@ -93,9 +94,9 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
     desc.targets = {{.format = m_colourFormat,
                      .blend = {.enabled = true,
                                .dstColor = rhi::BlendFactor::One,
-                               .colorOp = rhi::BlendOp::Min,
+                               .colorOp = rhi::BlendOp::Max,
                                .dstAlpha = rhi::BlendFactor::One,
-                               .alphaOp = rhi::BlendOp::Min}}};
+                               .alphaOp = rhi::BlendOp::Max}}};
     desc.constants.push_back({16, context.knobs.is("numbers", "shared")});
     m_translucent = context.pipelines.get(desc);
   }
@@ -103,7 +104,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
   void recordView(Frame& frame, size_t i) {
     const LightView& view = m_maps->views()[i];
     const rhi::DepthAttachment depth = m_maps->depthAttachment(view);
-    rhi::ColorAttachment colour{.clear = {1, 1, 1, 1}};
+    rhi::ColorAttachment colour{.clear = {0, 0, 0, 1}};
     if (m_coloured) {
       colour.view = depth.view;
       colour.view.texture = m_colours;

@@ -32,8 +32,8 @@ class ShadowMap final : public ShadowTechnique {
          .filter = filters ? rhi::Filter::Linear : rhi::Filter::Nearest,
          .addressU = rhi::AddressMode::ClampToBorder,
          .addressV = rhi::AddressMode::ClampToBorder,
-         .border = rhi::BorderColor::OpaqueWhite,  // outside the map is lit (spec 01, P1)
-         .compare = rhi::CompareOp::LessOrEqual});
+         .border = rhi::BorderColor::TransparentBlack,  // outside the map is lit (spec 01, P1)
+         .compare = rhi::CompareOp::GreaterOrEqual});
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, context.knobs.is("compare", "hardware")});
     m_constants.push_back({20, !filters});

@@ -1,7 +1,8 @@
 // Where a receiver lies in a light's map, and how deep a lit surface may lie at other texels of the
 // filter: the receiver's own plane, carried into light space (spec 01, receiver-plane bias). The
 // plane comes from the geometric normal, not from screen derivatives: exact at edges and for both
-// kinds of projection, since window depth is linear over the map on a plane.
+// kinds of projection, since window depth is linear over the map on a plane. Depth is reversed: it
+// falls with the distance from the light, and 0 is an empty texel.
 layout(constant_id = 16) const uint kBias = 0u;     // BIAS_*
 layout(constant_id = 17) const uint kKernel = 1u;   // odd width of the filter, texels
 layout(constant_id = 18) const bool kTent = false;  // tent instead of box weights
@@ -19,7 +20,7 @@ struct LightSample {
   bool inside;    // in the map's volume: else the receiver is lit
   vec3 uvz;       // map coordinates and depth, 0..1
   vec2 gradient;  // change of depth per unit of u and v along the receiver's plane
-  float bias;     // subtracted from the depth before a comparison
+  float bias;     // added to the depth before a comparison: toward the light
   float texel;    // 1 / map size
   float layer;
 };
@@ -63,9 +64,16 @@ LightSample lightSample(uint light, Receiver r) {
   s.texel = view.texel.x;
   s.layer = view.origin.w;
   float slope = (abs(gradient.x) + abs(gradient.y)) * s.texel;
-  // Quantisation of the map, rounding of two projections (four ulps: with two, lit walls of point
-  // lights show acne), and the 1/256-texel grid that rasterisers snap vertices to.
-  s.bias = 2.0 * view.texel.y + 2.4e-7 + slope * (1.0 / 64.0);
+  // Rounding, in half-ulps: four of the depth itself and of the plane equation that a rasteriser
+  // interpolates over the map, and eight of the receiver's distance from the eye, which its position
+  // is known relative to (spec 17, N4: four a component).
+  float perLength = view.texel.w > 0.0
+                        ? s.uvz.z / clip.w
+                        : length(vec3(view.toClip[0].z, view.toClip[1].z, view.toClip[2].z));
+  float rounding = 2.4e-7 * (s.uvz.z + abs(gradient.x) + abs(gradient.y) +
+                             2.0 * perLength * length(r.position));
+  // Quantisation of the map, and the 1/256-texel grid that rasterisers snap vertices to.
+  s.bias = 2.0 * view.texel.y + rounding + slope * (1.0 / 64.0);
   s.gradient = vec2(0);
   if (kBias == BIAS_PLANE) s.gradient = gradient;
   if (kBias == BIAS_SLOPE) s.bias += slope * radius;
@@ -82,12 +90,13 @@ float kernelWeight(int x, int y) {
   return kTent ? float((h + 1 - abs(x)) * (h + 1 - abs(y))) : 1.0;
 }
 
-// Depth that a lit receiver may have at the centre of a texel. At most 1, the depth of empty texels:
-// beyond its own edge the receiver's plane may lie behind the far plane.
+// Depth that a lit receiver may have at the centre of a texel: it is lit where the map holds no more.
+// At least 0, the depth of empty texels: beyond its own edge the receiver's plane may lie behind the
+// far plane.
 float tapDepth(LightSample s, ivec2 texel) {
   precise vec2 offset = (vec2(texel) + 0.5) * s.texel - s.uvz.xy;
-  precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) - s.bias;
-  return min(depth, 1.0);
+  precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) + s.bias;
+  return max(depth, 0.0);
 }
 
 // N x N point comparisons against a depth map; outside the map is lit.
@@ -102,7 +111,7 @@ float filterDepth(sampler2DArray map, LightSample s) {
       bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
       float w = kernelWeight(x, y);
       total += w;
-      if (outside || tapDepth(s, texel) <= texelFetch(map, ivec3(texel, int(s.layer)), 0).r) lit += w;
+      if (outside || tapDepth(s, texel) >= texelFetch(map, ivec3(texel, int(s.layer)), 0).r) lit += w;
     }
   return lit / total;
 }

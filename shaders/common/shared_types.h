@@ -85,7 +85,7 @@ struct LightData {
 
 // A projection of a light onto a layer of a shadow map.
 struct ShadowViewData {
-  mat4 toClip;       // (camera-relative position - origin) -> light clip, depth 0..1
+  mat4 toClip;       // (camera-relative position - origin) -> light clip, depth 1 near .. 0 far
   mat4 planeToClip;  // inverse transpose of toClip: takes planes to light clip
   vec4 origin;       // camera-relative; w: layer
   vec4 texel;        // x: 1 / size, y: depth step of the format, z: texel width at distance 1

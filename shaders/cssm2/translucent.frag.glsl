@@ -1,6 +1,7 @@
 #version 450
 // Pass B: each channel of a translucent caster blocks with probability p = alpha (1 - t). Blended
-// by MIN, so that the nearest blocker of each channel remains, in any order of drawing.
+// by MAX of the reversed depth, so that the blocker nearest to the light remains in each channel, in
+// any order of drawing.
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/material.glsl"
@@ -23,5 +24,5 @@ void main() {
   vec3 number = kSharedNumbers ? xi.xxx : xi.xyz;
   bvec3 blocked = lessThan(number, blocking);
   if (!any(blocked)) discard;
-  o_depths = vec4(mix(vec3(1), gl_FragCoord.zzz, vec3(blocked)), 1);
+  o_depths = vec4(mix(vec3(0), gl_FragCoord.zzz, vec3(blocked)), 1);
 }

@@ -18,8 +18,8 @@ vec3 filterColour(LightSample s) {
       bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
       float w = kernelWeight(x, y);
       total += w;
-      vec3 depths = outside ? vec3(2) : texelFetch(t_colourMap, ivec3(texel, int(s.layer)), 0).rgb;
-      lit += w * vec3(lessThanEqual(vec3(tapDepth(s, texel)), depths));
+      vec3 depths = outside ? vec3(-1) : texelFetch(t_colourMap, ivec3(texel, int(s.layer)), 0).rgb;
+      lit += w * vec3(greaterThanEqual(vec3(tapDepth(s, texel)), depths));
     }
   return lit / total;
 }

@@ -20,7 +20,7 @@ float compareTap(vec2 uv, float layer, float depth) {
   for (int i = 0; i < 4; ++i) {
     ivec2 texel = base + ivec2(i & 1, i >> 1);
     bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
-    bool passes = outside || depth <= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r;
+    bool passes = outside || depth >= texelFetch(t_shadowMap, ivec3(texel, int(layer)), 0).r;
     lit[i] = passes ? 1.0 : 0.0;
   }
   // In this form four equal comparisons give exactly 0 or 1.
@@ -36,8 +36,8 @@ float filterHardware(LightSample s) {
   for (int y = -h; y <= h; ++y)
     for (int x = -h; x <= h; ++x) {
       vec2 offset = vec2(x, y) * s.texel;
-      precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) - bias;
-      depth = min(depth, 1.0);
+      precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) + bias;
+      depth = max(depth, 0.0);
       float w = kernelWeight(x, y);
       total += w;
       lit += w * compareTap(s.uvz.xy + offset, s.layer, depth);

@@ -60,6 +60,7 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
                         .vertexOffset = int32_t(positions.size()),
                         .firstTriangle = uint32_t(triangles.size())});
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+    const size_t first = indices.size();
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     for (size_t i = 0; i < mesh.positions.size(); ++i)
       attributes.push_back({at(mesh.normals, i, glm::vec3(0, 0, 1)),
@@ -73,6 +74,11 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
       const glm::dvec3 n = glm::cross(b - a, c - a);
       const double length = glm::length(n);
       const glm::vec3 normal = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
+      // Three points on a line may cover a texel once they are rounded, at any depth (spec 17, G5):
+      // three times one point covers none.
+      if (!(length > 0))
+        for (uint32_t c = 1; c < 3; ++c)
+          indices[first + 3 * t + c] = indices[first + 3 * t];
       triangles.push_back({glm::vec4(normal, glm::uintBitsToFloat(mesh.triangleKeys[t]))});
     }
   }

@@ -27,6 +27,24 @@ dmat3 lightAxes(const dvec3& direction) {
   return glm::transpose(dmat3(x, glm::cross(z, x), z));
 }
 
+/// Rotated world -> clip, depth from 1 at the near plane to 0 at infinity.
+dmat4 reversedPerspective(double tangent, double nearPlane) {
+  dmat4 m(0);
+  m[0][0] = m[1][1] = 1 / tangent;
+  m[2][3] = -1;
+  m[3][2] = nearPlane;
+  return m;
+}
+
+/// The same for a box of a width around the axis, depth from 1 at the light's side to 0 at `range`.
+dmat4 reversedOrthographic(double width, double range) {
+  dmat4 m(1);
+  m[0][0] = m[1][1] = 2 / width;
+  m[2][2] = 1 / range;
+  m[3][2] = 1;
+  return m;
+}
+
 gpu::ShadowViewData viewData(const dmat4& toClip, const dvec3& origin, const LightFitSettings& s,
                              double texelWidth, bool perspectiveDepth, uint32_t key) {
   gpu::ShadowViewData d{};
@@ -119,8 +137,7 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   top += margin;
   low -= margin;
   const dvec3 origin = glm::transpose(axes) * dvec3(left + width / 2, bottom + width / 2, top);
-  const dmat4 toClip = orthographic(-width / 2, width / 2, -width / 2, width / 2, 0, top - low) *
-                       dmat4(axes);
+  const dmat4 toClip = reversedOrthographic(width, top - low) * dmat4(axes);
   LightView& view = out.emplace_back();
   view.light = effects.light;
   view.data = viewData(toClip, origin, in.settings, texel, false, 8 * light.key);
@@ -141,7 +158,8 @@ struct DepthRange {
   double farPlane;
 };
 
-/// Near as far out as the casters allow, far no farther than the last receiver in range.
+/// Near as far out as the casters allow, far no farther than the last receiver in range (for
+/// culling; the projection has none).
 DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, const Light& light) {
   double nearest = 1e300, farthest = 0;
   auto consider = [&](uint32_t i, bool caster) {
@@ -154,9 +172,11 @@ DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, cons
     for (uint32_t i : *list) consider(i, true);
   for (uint32_t i : in.receivers) consider(i, false);
   if (light.range > 0) farthest = std::min(farthest, light.range);
-  // The bounds of a caster may reach around the light although its surface does not: what lies
-  // nearer than near is still kept by depth clamp. Radial distances bound axial depths by sqrt(3).
-  const double nearPlane = std::max(nearest / std::numbers::sqrt3 * 0.999, farthest * 1e-4);
+  // The bounds of a caster may reach around the light although its surface does not. Integer formats
+  // cannot afford a near plane there: what lies nearer is then kept by depth clamp. Radial distances
+  // bound axial depths by sqrt(3).
+  const double least = farthest * (in.settings.depthStep > 0 ? 1e-4 : 1e-12);
+  const double nearPlane = std::max(nearest / std::numbers::sqrt3 * 0.999, least);
   return {std::min(nearPlane, farthest * 0.5), farthest * 1.001};
 }
 
@@ -173,8 +193,7 @@ void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& 
   const double size = in.settings.mapSize;
   // Widen so that `tangent` falls guardTexels inside the border.
   const double wide = tangent * size / std::max(1.0, size - 2.0 * in.settings.guardTexels);
-  const dmat4 toClip =
-      perspective(2 * std::atan(wide), 1, range.nearPlane, range.farPlane) * dmat4(axes);
+  const dmat4 toClip = reversedPerspective(wide, range.nearPlane) * dmat4(axes);
   LightView& view = out.emplace_back();
   view.light = effects.light;
   view.face = face;

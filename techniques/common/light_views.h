@@ -5,7 +5,9 @@
 //   spot         perspective over the outer cone
 //   point        six 90-degree faces, each wider by the filter's radius so that a kernel never
 //                leaves its face
-// Local lights use perspective depth per face (spec 01, P6), near and far fitted to what can matter.
+// Depth is reversed, 1 near the light to 0 far from it. Local lights use perspective depth per face
+// with far at infinity (spec 01, P6): n / z, which a float holds to the same relative precision at
+// every distance (spec 17, N3), so that near may lie as near as casters do.
 #pragma once
 
 #include <vector>

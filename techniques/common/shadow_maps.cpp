@@ -96,7 +96,8 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
                    .baseMip = 0,
                    .mipCount = 1,
                    .baseLayer = uint32_t(view.layer()),
-                   .layerCount = 1}};
+                   .layerCount = 1},
+          .clearDepth = 0};
 }
 
 std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) {
@@ -120,7 +121,7 @@ rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
       .attributes = GpuScene::vertexAttributes(surface),
       // Casters between the light and the near plane still cast ("pancaking", spec 01).
       .raster = {.depthClamp = context.device.supports(rhi::Feature::DepthClamp)},
-      .depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less},
+      .depth = {.test = true, .write = true, .compare = rhi::CompareOp::Greater},
       .depthFormat = m_depthFormat};
   desc.constants = declaredConstants({desc.vertex, desc.fragment},
                                      {{0, context.view.gpu().textured()}, {2, masked}});

@@ -124,7 +124,7 @@ std::vector<LightView> Cell::lightViews() const {
                    {.mapSize = size,
                     .guardTexels = std::min(m_knobs.integer("kernel") / 2 + 2, size / 4),
                     .fit = m_knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
-                    .depthStep = 0x1p-24f});
+                    .depthStep = m_knobs.is("depth", "d32f") ? 0 : 0x1p-24f});
 }
 
 }  // namespace sb::test

@@ -13,14 +13,14 @@ void expectMean(const Moments& m, const glm::dvec3& q, const std::string& what) 
     EXPECT_NEAR(m.mean[c], q[c], fourSigma(q[c], double(m.count))) << what << " channel " << c;
 }
 
-/// Share of texels in which the layer 0 of the map holds at least `depth` in each channel.
+/// Share of texels in which the layer 0 of the map holds nothing nearer than `depth` in each channel.
 glm::dvec3 passedShare(const std::vector<float>& colours, const std::vector<float>& depths) {
   glm::dvec3 passed(0);
   size_t texels = 0;
   for (size_t i = 0; i < depths.size(); ++i) {
-    if (depths[i] >= 1) continue;  // beside the floor
+    if (depths[i] <= 0) continue;  // beside the floor
     ++texels;
-    for (int c = 0; c < 3; ++c) passed[c] += colours[4 * i + size_t(c)] >= depths[i];
+    for (int c = 0; c < 3; ++c) passed[c] += colours[4 * i + size_t(c)] <= depths[i];
   }
   return passed / double(texels);
 }
@@ -89,9 +89,9 @@ GPU_TEST(Cssm2Mean, LightsDrawIndependently) {
   const auto depths = cell.map("depth"), a = cell.map("colours", 0), b = cell.map("colours", 1);
   size_t both = 0, texels = 0;
   for (size_t i = 0; i < depths.size(); ++i) {
-    if (depths[i] >= 1) continue;
+    if (depths[i] <= 0) continue;
     ++texels;
-    both += a[4 * i] >= depths[i] && b[4 * i] >= depths[i];
+    both += a[4 * i] <= depths[i] && b[4 * i] <= depths[i];
   }
   EXPECT_NEAR(double(both) / double(texels), 0.25, fourSigma(0.25, double(texels)));
 }
@@ -114,7 +114,7 @@ GPU_TEST(Cssm2Mean, FacesOfAPointLightDrawIndependently) {
   for (const uint32_t face : {0u, 1u, 4u, 5u}) {
     const auto depths = cell.map("depth", face), colours = cell.map("colours", face);
     auto& p = passed.emplace_back();
-    for (size_t i = 0; i < kTexels; ++i) p.push_back(colours[4 * i] >= depths[i]);
+    for (size_t i = 0; i < kTexels; ++i) p.push_back(colours[4 * i] <= depths[i]);
   }
   for (size_t a = 0; a < passed.size(); ++a)
     for (size_t b = a; b < passed.size(); ++b) {

@@ -112,8 +112,8 @@ GPU_TEST(Cssm2Rule, ChannelsNeverLieBehindTheOpaqueDepth) {
   size_t nearer = 0;
   for (size_t i = 0; i < depths.size(); ++i)
     for (size_t c = 0; c < 3; ++c) {
-      ASSERT_LE(colours[4 * i + c], depths[i]);
-      nearer += colours[4 * i + c] < depths[i];
+      ASSERT_GE(colours[4 * i + c], depths[i]);  // reversed: nearer to the light
+      nearer += colours[4 * i + c] > depths[i];
     }
   EXPECT_GT(nearer, depths.size());
 }
@@ -125,9 +125,9 @@ GPU_TEST(Cssm2Rule, SharedNumbersNestAndGreyStaysGrey) {
   const auto m = nested.map("colours");
   size_t parted = 0;
   for (size_t i = 0; i < m.size(); i += 4) {
-    ASSERT_GE(m[i], m[i + 1]);
-    ASSERT_GE(m[i + 1], m[i + 2]);
-    parted += m[i] > m[i + 2];
+    ASSERT_LE(m[i], m[i + 1]);
+    ASSERT_LE(m[i + 1], m[i + 2]);
+    parted += m[i] < m[i + 2];
   }
   EXPECT_GT(parted, 10000u);
   Cell grey(cellDevice(device()), stack({glass(0.7f, glm::vec3(0.5f)), glass(0.4f, glm::vec3(0))}),

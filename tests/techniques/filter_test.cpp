@@ -1,5 +1,6 @@
 // The filters of ShadowMap and CSSM2 on small maps made by hand: the worked examples of specs 01
-// and 04, compare before filter, weights, borders.
+// and 04, compare before filter, weights, borders. Depths here rise from the light, as in the specs;
+// maps and lookups hold them reversed (techniques/common/light_views.h).
 #include <cmath>
 
 #include "shaders/common/shared_slots.h"
@@ -34,7 +35,9 @@ rhi::Texture mapOf(rhi::Device& device, uint32_t size, const std::vector<float>&
        .height = size,
        .use = (depth ? rhi::TextureUse::DepthTarget : rhi::TextureUse::ColorTarget) |
               rhi::TextureUse::Sampled | kCopies});
-  device.upload(map, {}, bytesOf(texels));
+  std::vector<float> reversed;
+  for (const float t : texels) reversed.push_back(1 - t);
+  device.upload(map, {}, bytesOf(reversed));
   return map;
 }
 
@@ -61,9 +64,14 @@ std::vector<Vec4> ask(rhi::Device& device, const char* shader, const rhi::Textur
                             .filter = linear ? rhi::Filter::Linear : rhi::Filter::Nearest,
                             .addressU = A::ClampToBorder,
                             .addressV = A::ClampToBorder,
-                            .border = rhi::BorderColor::OpaqueWhite,
-                            .compare = rhi::CompareOp::LessOrEqual});
-  rhi::Buffer in = bufferOf(device, queries);
+                            .border = rhi::BorderColor::TransparentBlack,
+                            .compare = rhi::CompareOp::GreaterOrEqual});
+  std::vector<Query> reversed = queries;
+  for (Query& q : reversed) {
+    q.uvzBias[2] = 1 - q.uvzBias[2];
+    q.gradient = {-q.gradient[0], -q.gradient[1], 0, 0};
+  }
+  rhi::Buffer in = bufferOf(device, reversed);
   rhi::Buffer out = bufferOf(device, std::vector<Vec4>(queries.size()));
   frame(device, [&](rhi::CommandList& list) {
     computePass(
@@ -152,7 +160,7 @@ GPU_TEST(ShadowFilter, EdgesOfTheMapAreHalfOpen) {
   const auto point = ask(device(), "filter_depth", map, {}, at);
   const float expected[] = {0, 1, 1, 0, 0};
   for (size_t i = 0; i < at.size(); ++i) EXPECT_EQ(point[i][0], expected[i]) << i;
-  // Hardware taps weigh the white border: a corner 3/4, an edge 1/2, whichever edge.
+  // Hardware taps weigh the lit border: a corner 3/4, an edge 1/2, whichever edge.
   const auto tap = ask(device(), "filter_depth", map, {.hardware = true}, at);
   const float weighed[] = {0.75f, 0.5f, 0.5f, 0, 0.5f};
   for (size_t i = 0; i < at.size(); ++i) EXPECT_NEAR(tap[i][0], weighed[i], 0x1p-8f) << i;

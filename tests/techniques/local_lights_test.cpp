@@ -1,6 +1,7 @@
 // ShadowMap under point and spot lights: seams of the faces, casters that enclose the light or
 // stand before its near plane, receivers behind a spot, large ranges (spec 17, rows of 01).
 #include <cmath>
+#include <numbers>
 
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/shapes.h"
@@ -90,10 +91,11 @@ GPU_TEST(ShadowPoint, CasterNextToTheLight) {
 
 GPU_TEST(ShadowPoint, LargeRangeWithoutAcneAndWithContact) {
   // A wall square to the light at z, a small caster next to the light: the depth step at z is
-  // z^2 (f - n) / (n f) 2^-24 (N3). No acne; a quad before the wall casts from six steps on: four
-  // of the lookup's bias, and rounding. (The two steps of spec 17 are below what float32 allows with
-  // perspective depth: at a bias of two steps lit walls show acne.)
-  const std::pair<double, double> ranges[] = {{1, 4}, {1, 100}, {1, 1e4}, {1e-3, 1e6}};
+  // z^2 (f - n) / (n f) 2^-24 (N3). No acne; a quad before the wall casts from two steps on, or where
+  // the range is so small that those are finer, from 24 half-ulps of its distance on: depth and
+  // receiver are floats (N4).
+  const std::pair<double, double> ranges[] = {
+      {1, 4}, {1, 100}, {1, 1e4}, {1e-3, 1}, {1e-3, 100}, {1e-3, 1e4}, {1e-3, 1e6}};
   for (const auto& [nearest, z] : ranges) {
     SCOPED_TRACE("z = " + std::to_string(z));
     Scene scene;
@@ -116,8 +118,9 @@ GPU_TEST(ShadowPoint, LargeRangeWithoutAcneAndWithContact) {
     scene.cameras[0].nearPlane = z / 4;
     const Cell probe(cellDevice(device()), scene, options());
     const glm::dmat4 m(probe.lightViews().at(5).data.toClip);
-    const double nearPlane = m[3].z / m[2].z, farPlane = m[3].z / (1 + m[2].z);
-    const double gap = 6 * z * z * (farPlane - nearPlane) / (nearPlane * farPlane) * 0x1p-24;
+    const double nearPlane = m[3].z, farPlane = z * std::numbers::sqrt2;
+    const double step = z * z * (farPlane - nearPlane) / (nearPlane * farPlane) * 0x1p-24;
+    const double gap = std::max(2 * step, 24 * z * 0x1p-24);
     addQuad(scene, grey, {-wall / 4, 0, float(-(z - gap))}, {wall / 4, 0, 0}, {0, wall / 4, 0});
     Cell contact(cellDevice(device()), scene, options());
     expectShadows(contact, 0, 2000, 500);
