@@ -10,11 +10,12 @@
 namespace report {
 namespace {
 
-constexpr size_t kColumns = 11;
+constexpr size_t kColumns = 14;
 using Row = std::array<std::string, kColumns>;
 
-const Row kHeader = {"cell",      "frame ms", "CPU ms",       "±",   "x none [95 %]", "x other API",
-                     "shadow ms", "scene ms", "passes/draws", "MiB", "picture"};
+const Row kHeader = {"cell",         "frame ms", "CPU ms",    "±",         "x none [95 %]",
+                     "x other API",  "error",    "noise",     "FLIP",      "shadow ms",
+                     "scene ms",     "passes/draws", "MiB",   "picture"};
 
 /// Drivers' texts have line breaks.
 std::string oneLine(std::string text) {
@@ -59,10 +60,13 @@ Row rowOf(const Record& r) {
   if (r.precision) row[3] = fmt::format("{:.0f}%", 100 * *r.precision);
   row[4] = ratio(r, "baseline");
   row[5] = ratio(r, "backend");
-  row[6] = milliseconds(r.shadowMs);
-  row[7] = milliseconds(r.sceneMs);
-  row[8] = fmt::format("{}/{}", r.passCount, r.drawCount);
-  row[9] = fmt::format("{:.1f}", double(r.bytes) / (1 << 20));
+  if (r.visibility) row[6] = fmt::format("{:.4f}", r.visibility->all.rmse);
+  if (r.noise) row[7] = fmt::format("{:.4f}", r.noise->noise);
+  if (r.image) row[8] = fmt::format("{:.4f}", r.image->flip);
+  row[9] = milliseconds(r.shadowMs);
+  row[10] = milliseconds(r.sceneMs);
+  row[11] = fmt::format("{}/{}", r.passCount, r.drawCount);
+  row[12] = fmt::format("{:.1f}", double(r.bytes) / (1 << 20));
   return row;
 }
 
@@ -104,6 +108,10 @@ std::string legend(const Run& run) {
     out +=
         "Software devices: frame = wall time to completion, CPU = time of all threads; ± and the "
         "ratios are of CPU time. These figures say nothing about graphics hardware.\n";
+  if (std::ranges::any_of(run.records, [](const Record& r) { return r.visibility.has_value(); }))
+    out +=
+        "Against the ray-traced truth: error = RMSE of visibility, noise = its standard deviation "
+        "over seeds, FLIP = mean over the picture.\n";
   if (sources.contains("gpu-timestamp"))
     out += "Frame times are GPU timestamps; ± and the ratios are of them.\n";
   if (sources.contains("wall"))

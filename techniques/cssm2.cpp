@@ -26,6 +26,8 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
     createPipelines(context);
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, m_coloured});
+    const uint32_t kernel = context.knobs.integer("kernel");
+    m_trials = m_coloured && context.knobs.is("shape", "box") ? kernel * kernel : 0;
   }
 
   void record(Frame& frame) override {
@@ -52,6 +54,12 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
     std::vector<std::pair<std::string, rhi::TextureId>> list = {{"depth", m_maps->depth()}};
     if (m_coloured) list.emplace_back("colours", m_colours);
     return list;
+  }
+
+  LookupReach reach(uint32_t light) const override {
+    LookupReach reach = m_maps->reach(light);
+    reach.trials = m_trials;
+    return reach;
   }
 
  private:
@@ -123,6 +131,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
 
   std::optional<ShadowMaps> m_maps;
   bool m_coloured = false;
+  uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
   rhi::Format m_colourFormat = rhi::Format::Undefined;
   rhi::Texture m_colours;
   rhi::PipelineId m_opaque, m_perforated, m_translucent;

@@ -64,6 +64,8 @@ class ShadowMap final : public ShadowTechnique {
     return {{"depth", m_maps->depth()}};
   }
 
+  LookupReach reach(uint32_t light) const override { return m_maps->reach(light); }
+
  private:
   std::optional<ShadowMaps> m_maps;
   rhi::PipelineId m_opaque, m_perforated;

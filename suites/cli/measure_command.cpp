@@ -7,14 +7,14 @@
 #include <cstdio>
 #include <set>
 
-#include "reports/atomic_file.h"
 #include "reports/console.h"
-#include "reports/csv.h"
-#include "reports/json.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/outputs.h"
 #include "suites/cli/progress.h"
 #include "suites/harness/group.h"
+#include "suites/harness/suite.h"
 #include "suites/scenes/procedural.h"
+#include "suites/truth/truth_cache.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -29,9 +29,10 @@ void onInterrupt(int signal) {
   g_signal = signal;
 }
 
-bool isQuick(const Selection& s) {
-  return s.techniques.empty() && s.backends.empty() && s.scenes.empty() && s.sets.empty() &&
-         s.filter.empty() && !s.size;
+bool isQuick(const Options& options) {
+  const Selection& s = options.selection;
+  return options.suite.empty() && s.techniques.empty() && s.backends.empty() && s.scenes.empty() && s.sets.empty() &&
+         s.edits.empty() && s.filter.empty() && !s.size;
 }
 
 /// Opens the devices of all cells. Cells of backends that do not start go, with a warning that says
@@ -40,6 +41,7 @@ void openBackends(const Options& options, Devices& devices, std::vector<CellId>&
                   report::Run& run) {
   std::set<std::string> names, broken;
   for (const CellId& cell : cells) names.insert(cell.backend);
+  names.erase(kReferenceBackend);
   for (const std::string& name : names)
     if (!devices.open(name)) {
       broken.insert(name);
@@ -62,15 +64,6 @@ void checkScenes(const std::vector<CellId>& cells, report::Run& run) {
   }
 }
 
-/// After each group, so that a crash costs one group; pipes and the like get the whole run alone.
-void writeFiles(const Options& options, const report::Run& run, bool finished) {
-  auto due = [&](const std::string& path) {
-    return !path.empty() && (finished || !report::isSpecialFile(path));
-  };
-  if (due(options.jsonFile)) report::writeAtomically(options.jsonFile, report::toJson(run));
-  if (due(options.csvFile)) report::writeAtomically(options.csvFile, report::toCsv(run));
-}
-
 MeasureSettings settingsOf(const Options& options, bool quick) {
   MeasureSettings s;
   s.budgetSeconds = options.budgetSeconds.value_or(quick ? 1 : 3);
@@ -80,12 +73,16 @@ MeasureSettings settingsOf(const Options& options, bool quick) {
   if (options.benchmark.minSeconds > 0) s.stop.precision = 0;
   s.stop.repetitions = options.benchmark.repetitions;
   s.interrupted = &g_interrupted;
+  s.judge.enabled = options.truth;
+  s.judge.seeds = options.seeds.value_or(quick ? 8 : s.judge.seeds);
+  if (options.cache) s.judge.cache = truthCacheFolder();
+  s.judge.interrupted = &g_interrupted;
   return s;
 }
 
 /// Measures group by group and writes the files after each.
 void measureAll(const Options& options, const std::vector<CellId>& cells, Devices& devices,
-                bool quick, report::Run& run) {
+                bool quick, Outputs& outputs, report::Run& run) {
   Progress progress(!options.quiet);
   const auto groups = groupCells(cells);
   for (size_t g = 0; g < groups.size() && !g_interrupted; ++g) {
@@ -93,9 +90,12 @@ void measureAll(const Options& options, const std::vector<CellId>& cells, Device
     settings.progress = [&](const std::string& what, double done) {
       progress.update(groups[g].front().scene, what, (double(g) + done) / double(groups.size()));
     };
-    for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION))
-      if (!result.id.companion) run.records.push_back(std::move(result.record));
-    writeFiles(options, run, false);
+    for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION)) {
+      if (result.id.companion) continue;
+      run.records.push_back(std::move(result.record));
+      outputs.addPictures(std::move(result.files));
+    }
+    outputs.write(run, false);
   }
 }
 
@@ -116,32 +116,39 @@ int exitCode(const report::Run& run, size_t cells) {
 
 }  // namespace
 
-int measureCommand(const Options& options) {
+int measureCommand(const Options& given) {
+  Options options = given;
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});
   report::Run run = report::describeMachine("bench", SHADOWBENCH_VERSION);
   Selection selection = options.selection;
-  const bool quick = isQuick(selection);
+  const bool quick = isQuick(options);
   if (quick) selection.size = {256, 256};
 
-  std::vector<CellId> cells = selectCells(selection, platform.names(), defaultBackends(options));
+  std::vector<CellId> cells;
+  if (options.suite.empty()) {
+    cells = selectCells(selection, platform.names(), defaultBackends(options));
+  } else {
+    const Suite suite = loadSuite(options.suite);
+    cells = suiteCells(suite, selection, platform.names(), defaultBackends(options));
+    if (!options.seeds) options.seeds = suite.seeds;
+    if (!options.budgetSeconds) options.budgetSeconds = suite.budgetSeconds;
+    if (!options.precisionPercent) options.precisionPercent = suite.precisionPercent;
+  }
   if (options.list) {
     for (const CellId& cell : cells) std::printf("%s\n", cellName(cell).c_str());
     return 0;
   }
-  if (!options.jsonFile.empty()) requireWritable("--json", options.jsonFile);
-  if (!options.csvFile.empty()) requireWritable("--csv", options.csvFile);
-  if (!options.benchmark.outFile.empty())
-    requireWritable("--benchmark_out", options.benchmark.outFile);
+  Outputs outputs(options);
   checkScenes(cells, run);
   openBackends(options, devices, cells, run);
   const size_t asked = cells.size();
 
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
-  measureAll(options, cells, devices, quick, run);
-  writeFiles(options, run, true);
+  measureAll(options, cells, devices, quick, outputs, run);
+  outputs.write(run, true);
   // With a format of the library's on the console, standard output is the library's alone.
   if (!options.benchmark.display && !run.records.empty())
     std::printf("%s", report::toTable(run).c_str());

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "suites/harness/suite.h"
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 #include "techniques/common/registry.h"
@@ -51,6 +52,12 @@ std::string footer() {
   return out;
 }
 
+std::string joinedNames(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
+  return out;
+}
+
 std::pair<uint32_t, uint32_t> parseSize(const std::string& text) {
   unsigned width = 0, height = 0;
   int used = 0;
@@ -86,6 +93,18 @@ void refuseStray(const CLI::App& app) {
 
 /// Options that choose cells: the same for measuring and for `render`.
 void addSelection(CLI::App& app, Options& o, std::string& size) {
+  app.add_option("--set-material", o.selection.edits,
+                 "other optics for materials by glob, in all scenes: 'fabric*:alpha=0.5,t=0.9,0.3,"
+                 "0.3'")
+      ->type_name("GLOB:alpha=A[,t=R,G,B]");
+  app.add_option_function<std::string>(
+         "--camera", [&o](const std::string& text) { o.selection.edits.push_back("camera:" + text); },
+         "look from one world point at another")
+      ->type_name("eye=X,Y,Z,at=X,Y,Z[,fov=DEG]");
+  app.add_option_function<std::string>(
+         "--sun", [&o](const std::string& text) { o.selection.edits.push_back("sun:" + text); },
+         "one directional light instead of the scene's")
+      ->type_name("direction=X,Y,Z[,lux=E]");
   app.add_option("--technique", o.selection.techniques,
                  "technique, or TECHNIQUE+TRANSPARENCY; repeat or separate by commas")
       ->delimiter(',')
@@ -141,6 +160,17 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   app.add_option("--json", o.jsonFile, "write all results (Google Benchmark's schema)")
       ->type_name("FILE");
   app.add_option("--csv", o.csvFile, "write one row a cell")->type_name("FILE");
+  app.add_option("--html", o.htmlFile, "write a report with pictures, one self-contained file")
+      ->type_name("FILE");
+  app.add_option("--suite", o.suite,
+                 "measure the cells of a suite: " + joinedNames(builtinSuites()) + ", or a file")
+      ->type_name("NAME|FILE.toml");
+  app.add_option("--seeds", o.seeds,
+                 "seeds that noise and bias of stochastic techniques are taken over [64; quick 8]")
+      ->check(CLI::Range(1u, 65536u))
+      ->type_name("N");
+  app.add_flag("!--no-truth", o.truth, "no errors: nothing is ray-traced");
+  app.add_flag("!--no-cache", o.cache, "trace truths anew, and keep none");
   app.add_flag("--list", o.list, "print the names of the cells and stop");
 
   CLI::App* render = app.add_subcommand("render", "write the picture of one cell as PNG and EXR");
@@ -182,6 +212,10 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),
                      "found it beside a command; it is of measuring");
+  if (!o.suite.empty() && !(o.selection.techniques.empty() && o.selection.scenes.empty() &&
+                            o.selection.sets.empty() && o.selection.edits.empty()))
+    throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
+                                "itself");
   if (!size.empty()) o.selection.size = parseSize(size);
   if (!renderSize.empty()) o.selection.size = parseSize(renderSize);
   if (!o.benchmark.filter.empty()) {

@@ -21,7 +21,11 @@ struct Options {
   std::string shaderFolder;
   std::optional<double> budgetSeconds;
   std::optional<double> precisionPercent;
-  std::string jsonFile, csvFile;
+  std::string jsonFile, csvFile, htmlFile;
+  std::string suite;  ///< name or file; "": cells come from the selection
+  std::optional<uint32_t> seeds;
+  bool truth = true;
+  bool cache = true;
   bool list = false;
   bool validate = false;
   bool quiet = false;

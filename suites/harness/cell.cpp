@@ -17,6 +17,7 @@ std::string shellWord(const std::string& text) {
 }  // namespace
 
 Knobs cellKnobs(const CellId& id) {
+  if (isReference(id)) return Knobs::resolve({}, id.knobs);
   return Knobs::resolve(
       knobsOf(shadowTechnique(id.technique).info, transparencyTechnique(id.transparency).info),
       id.knobs);

@@ -40,4 +40,9 @@ std::string cellCommand(const CellId& id);
 /// The transparency technique that names leave out.
 inline constexpr const char* kDefaultTransparency = "Sorted";
 
+/// The truth's tracer as a row of the comparison: on the CPU, whatever the backends; no knobs.
+inline constexpr const char* kReferenceTechnique = "RayTraced";
+inline constexpr const char* kReferenceBackend = "cpu";
+inline bool isReference(const CellId& id) { return id.technique == kReferenceTechnique; }
+
 }  // namespace sb

@@ -25,11 +25,19 @@ void comparePictures(Record& record, const report::Picture& mine, const report::
       std::max(record.crossBackendOver1.value_or(0), pixelsBeyondOneStep(mine, other));
 }
 
+/// Is `b` what the cost of `a` is told against? The reference, which runs on no backend, has the
+/// first one that is compared by CPU time as it is.
+bool isBaseline(const Measured& a, const Measured& b, const Record& record) {
+  if (!isReference(a.result->id))
+    return b.result->record.name == cellName(baselineOf(a.result->id));
+  return b.result->id.technique == "none" && b.software && record.ratios.empty();
+}
+
 report::Ratio ratioOf(const Measured& a, const Measured& b) {
   const bool software = a.software && b.software;
   report::Ratio ratio =
       report::pairedRatio(blockMeans(*a.samples, software), blockMeans(*b.samples, software));
-  ratio.kind = a.result->id.backend == b.result->id.backend ? "baseline" : "backend";
+  ratio.kind = isSameOnOtherBackend(a.result->id, b.result->id) ? "backend" : "baseline";
   ratio.against = b.result->record.name;
   ratio.of = software ? "cpu_ms" : "frame_ms";
   return ratio;
@@ -49,12 +57,11 @@ void compareCells(std::span<const Measured> cells) {
   for (const Measured& a : cells) {
     Record& record = a.result->record;
     if (!isOk(a)) continue;
-    const std::string baseline = cellName(baselineOf(a.result->id));
     for (const Measured& b : cells) {
       if (&a == &b || !isOk(b)) continue;
       const bool other = isSameOnOtherBackend(a.result->id, b.result->id);
       if (other) comparePictures(record, a.result->picture, b.result->picture);
-      if (!other && b.result->record.name != baseline) continue;
+      if (!other && !isBaseline(a, b, record)) continue;
       if (!record.contamination.empty())
         record.why["ratios"] = "contaminated: " + record.contamination.front();
       else if (!b.result->record.contamination.empty())

@@ -7,7 +7,9 @@
 #include "reports/stats/stats.h"
 #include "suites/harness/compare.h"
 #include "suites/harness/load_watch.h"
+#include "suites/harness/judge.h"
 #include "suites/harness/scene_hash.h"
+#include "suites/harness/subject.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/procedural.h"
@@ -40,23 +42,13 @@ report::Record recordOf(const CellId& id, const std::string& sceneHash,
                       .command = cellCommand(id)};
   const Knobs knobs = cellKnobs(id);
   for (const auto& [name, value] : knobs.all()) r.knobs[name] = value;
-  for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
-    r.why[key] = "no ray-traced truth in this version";
   return r;
-}
-
-void recordPlan(const Plan& plan, report::Record& record) {
-  for (Effect e : plan.planned.list()) record.effectsPlanned.emplace_back(effectName(e));
-  for (const auto& [e, why] : plan.skipped)
-    record.effectsSkipped.emplace_back(std::string(effectName(e)), why);
-  for (Effect e : plan.unrepresented) record.effectsUnrepresented.emplace_back(effectName(e));
 }
 
 /// A cell under measurement.
 struct Active {
   CellResult* result = nullptr;
-  DeviceSession* device = nullptr;
-  std::unique_ptr<Renderer> renderer;
+  std::unique_ptr<Subject> subject;
   Samples samples;
   std::string untimedPicture;  ///< content hash
   uint32_t framesPerBlock = 1;
@@ -68,12 +60,15 @@ class Group {
  public:
   Group(const std::vector<CellId>& cells, Devices& devices, const MeasureSettings& settings,
         const std::string& version)
-      : m_devices(devices), m_settings(settings) {
-    m_scene = makeScene(cells.front().scene);
-    const double aspect = double(cells.front().width) / double(cells.front().height);
-    m_effects = analyse(m_scene, aspect);
-    const std::string hash = sceneHash(m_scene);
-    for (const CellId& id : cells) m_results.push_back({id, recordOf(id, hash, version), {}});
+      : m_devices(devices),
+        m_settings(settings),
+        m_scene(makeScene(cells.front().scene)),
+        m_effects(analyse(m_scene, double(cells.front().width) / double(cells.front().height))),
+        m_context{devices, m_scene, m_effects, settings.checkTimers, {}},
+        m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
+                settings.judge) {
+    for (const CellId& id : cells)
+      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), version), {}, {}});
     m_active.reserve(m_results.size());
   }
 
@@ -117,76 +112,42 @@ class Group {
     }
   }
 
-  static void skip(report::Record& record, const std::string& reason) {
-    record.status = report::Status::Skipped;
-    record.reason = reason;
-  }
-
   void prepare(CellResult& result) {
-    report::Record& record = result.record;
-    DeviceSession* session = m_devices.open(result.id.backend);
-    if (!session)
-      return skip(record, "the backend does not start: " + m_devices.why(result.id.backend));
-    rhi::Device& device = *session->device;
-    record.device = device.info().name;
-    record.deviceType = rhi::deviceTypeName(device.info().type);
-    record.driver = device.info().driver + " " + device.info().driverVersion;
-    const ShadowEntry& technique = shadowTechnique(result.id.technique);
-    const TransparencyEntry& transparency = transparencyTechnique(result.id.transparency);
-    if (auto why = unsupported(device, technique.info, transparency.info))
-      return skip(record, why->reason);
     Active a;
     a.result = &result;
-    a.device = session;
-    a.software = device.isSoftware();
-    if (m_settings.checkTimers) {
-      const auto& facts = Devices::timersOf(*session);
-      if (const auto why = whyUntrusted(facts, TimerUse::Frame); !why.empty())
-        return report::refuse(record, why);
-      a.samples.passesUntrusted = whyUntrusted(facts, TimerUse::Passes);
-    }
-    auto& gpuScene = m_gpuScenes[session];
-    if (!gpuScene) gpuScene = std::make_unique<GpuScene>(device, m_scene);
-    const double createdBefore = session->pipelines->createMs();
-    a.renderer =
-        std::make_unique<Renderer>(session->context(), *gpuScene, m_effects,
-                                   RendererDesc{.technique = &technique,
-                                                .transparency = &transparency,
-                                                .knobs = cellKnobs(result.id),
-                                                .size = {result.id.width, result.id.height},
-                                                .seed = result.id.seed,
-                                                .forced = {}});
-    recordPlan(a.renderer->plan(), record);
-    record.bytesByLabel = a.renderer->bytesByLabel();
-    for (const auto& [label, bytes] : record.bytesByLabel) record.bytes += bytes;
-    warmUp(a, session->pipelines->createMs() - createdBefore);
-    a.untimedPicture = contentHashOf(readPicture(a));
+    a.subject = makeSubject(result.id, m_context, result.record);
+    if (!a.subject) return;
+    a.software = a.subject->software();
+    a.samples.passesUntrusted = a.subject->passesUntrusted();
+    a.subject->describe(result.record);
+    warmUp(a);
+    a.untimedPicture = contentHashOf(a.subject->picture());
     takeMessages(a);
     m_active.push_back(std::move(a));
   }
 
   /// Every pipeline and state is drawn twice before the windows begin.
-  void warmUp(Active& a, double createMs) {
-    const double first = a.renderer->frame().wallMs;
-    a.renderer->frame(FrameMode::Stamped);
-    a.renderer->frame(FrameMode::Counted);
+  void warmUp(Active& a) {
+    Subject& subject = *a.subject;
+    const double first = subject.frame(FrameMode::Plain).wallMs;
+    const int windowFrames = subject.hasPasses() ? WarmUp::kWindowFrames : 1;
+    if (subject.hasPasses()) {
+      subject.frame(FrameMode::Stamped);
+      subject.frame(FrameMode::Counted);
+    }
     WarmUp rule;
     for (bool done = false; !done && !interrupted();) {
       std::vector<double> times;
-      for (int i = 0; i < WarmUp::kWindowFrames; ++i)
-        times.push_back(rankingMs(a.renderer->frame(), a.software));
+      for (int i = 0; i < windowFrames; ++i)
+        times.push_back(rankingMs(subject.frame(FrameMode::Plain), a.software));
       done = rule.add(report::median(times));
     }
     if (!rule.steady())
       a.result->record.warnings.push_back("ten warm-up windows did not agree: the time drifts");
-    const double warm = a.renderer->frame().wallMs;
-    a.samples.compileMs = createMs + std::max(0.0, first - warm);
+    const double warm = subject.frame(FrameMode::Plain).wallMs;
+    a.samples.compileMs = subject.createMs() + std::max(0.0, first - warm);
     a.framesPerBlock =
         uint32_t(std::clamp(m_settings.blockSeconds * 1e3 / std::max(warm, 1e-3), 1.0, 32.0));
-  }
-
-  report::Picture readPicture(Active& a) {
-    return {a.result->id.width, a.result->id.height, a.renderer->readImage()};
   }
 
   Stop measureBlocks() {
@@ -211,9 +172,10 @@ class Group {
 
   void measureBlock(Active& a) {
     SampleBlock block;
-    const size_t pipelines = a.device->pipelines->size();
-    for (uint32_t i = 0; i < a.framesPerBlock; ++i) block.frames.push_back(a.renderer->frame());
-    if (a.device->pipelines->size() != pipelines)
+    const size_t pipelines = a.subject->pipelines();
+    for (uint32_t i = 0; i < a.framesPerBlock; ++i)
+      block.frames.push_back(a.subject->frame(FrameMode::Plain));
+    if (a.subject->pipelines() != pipelines)
       addOnce(a.result->record.contamination, "a pipeline was created within a timed frame");
     a.samples.blocks.push_back(std::move(block));
     takeMessages(a);
@@ -221,7 +183,7 @@ class Group {
 
   /// What a device's validation said since the last call belongs to the cell that ran.
   static void takeMessages(Active& a) {
-    for (const rhi::Message& m : a.device->device->takeMessages())
+    for (const rhi::Message& m : a.subject->takeMessages())
       addOnce(a.result->record.warnings, "validation: " + m.source + " [" + m.rule + "] " + m.text);
   }
 
@@ -229,13 +191,15 @@ class Group {
     CellResult& result = *a.result;
     report::Record& record = result.record;
     // The picture first: it must be of the last timed frame.
-    result.picture = readPicture(a);
+    result.picture = a.subject->picture();
     record.picture = contentHashOf(result.picture);
     record.stable = record.picture == a.untimedPicture;
     record.nonfinite = countNonFinite(result.picture);
-    for (uint32_t i = 0; i < m_settings.stampedFrames; ++i)
-      a.samples.stamped.push_back(a.renderer->frame(FrameMode::Stamped));
-    a.samples.counted = a.renderer->frame(FrameMode::Counted);
+    if (a.subject->hasPasses()) {
+      for (uint32_t i = 0; i < m_settings.stampedFrames; ++i)
+        a.samples.stamped.push_back(a.subject->frame(FrameMode::Stamped));
+      a.samples.counted = a.subject->frame(FrameMode::Counted);
+    }
     takeMessages(a);
     summarise(a.samples, a.software, record);
     record.precision = relativeHalfWidth(blockMeans(a.samples, a.software));
@@ -247,15 +211,18 @@ class Group {
     addOnce(record.contamination, "this is a debug build");
 #endif
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
-    if (const std::string why = whyRefused(record); !why.empty()) report::refuse(record, why);
+    if (const std::string why = whyRefused(record); !why.empty())
+      return report::refuse(record, why);
+    m_judge.judge(*a.subject, result.id, result.picture, record, result.files);
   }
 
   Devices& m_devices;
   const MeasureSettings& m_settings;
-  Scene m_scene;
-  Effects m_effects;
+  const Scene m_scene;
+  const Effects m_effects;
+  SubjectContext m_context;
+  Judge m_judge;
   std::vector<CellResult> m_results;
-  std::map<DeviceSession*, std::unique_ptr<GpuScene>> m_gpuScenes;
   std::vector<Active> m_active;
 };
 

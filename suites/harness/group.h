@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "suites/harness/devices.h"
+#include "suites/harness/judge.h"
 #include "suites/harness/protocol.h"
 #include "suites/harness/samples.h"
 
@@ -20,6 +21,7 @@ struct MeasureSettings {
   uint32_t stampedFrames = 5;
   /// Devices whose timers fail their check give no times. Off: tests on devices without time.
   bool checkTimers = true;
+  JudgeSettings judge;
   /// Polled between frames: true stops at once; the group under way is given up.
   const std::atomic<bool>* interrupted = nullptr;
   /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done,
@@ -31,6 +33,7 @@ struct CellResult {
   CellId id;
   report::Record record;
   report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
+  PictureFiles files;       ///< of Record::pictures
 };
 
 /// Results in the order of `cells`, companions included. A cell that cannot run is a skipped or

@@ -46,8 +46,8 @@ std::string whyPassesUntrusted(const std::vector<FrameResult>& frames) {
 }
 
 void summarisePasses(const Samples& samples, bool software, report::Record& record) {
-  std::string why = samples.stamped.empty()            ? "no stamped frame was measured"
-                    : !samples.passesUntrusted.empty() ? samples.passesUntrusted
+  std::string why = !samples.passesUntrusted.empty() ? samples.passesUntrusted
+                    : samples.stamped.empty()        ? "no stamped frame was measured"
                     // On other devices wall time holds the way to the device and back.
                     : software ? whyPassesUntrusted(samples.stamped)
                                : "";

@@ -24,9 +24,21 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 struct Pair {
-  const ShadowEntry* shadow;
-  const TransparencyEntry* transparency;
-  std::vector<KnobInfo> knobs() const { return knobsOf(shadow->info, transparency->info); }
+  const ShadowEntry* shadow = nullptr;  ///< null: the reference
+  const TransparencyEntry* transparency = nullptr;
+  std::vector<KnobInfo> knobs() const {
+    return shadow ? knobsOf(shadow->info, transparency->info) : std::vector<KnobInfo>();
+  }
+  /// Backends of its cells among those asked for (empty: the default ones).
+  std::vector<std::string> backends(const Selection& selection,
+                                    const std::vector<std::string>& defaults) const {
+    std::vector<std::string> list = selection.backends.empty() ? defaults : selection.backends;
+    const bool asked = std::erase(list, kReferenceBackend) > 0 || selection.backends.empty();
+    if (shadow) return list;
+    const auto isNamed = std::ranges::find(selection.techniques, kReferenceTechnique);
+    if (asked || isNamed != selection.techniques.end()) return {kReferenceBackend};
+    return {};
+  }
 };
 
 std::vector<Pair> selectPairs(const Selection& selection) {
@@ -34,7 +46,12 @@ std::vector<Pair> selectPairs(const Selection& selection) {
   if (selection.techniques.empty())
     for (const ShadowEntry* t : shadowTechniques())
       pairs.push_back({t, &transparencyTechnique(kDefaultTransparency)});
+  if (selection.techniques.empty()) pairs.push_back({});
   for (const std::string& name : selection.techniques) {
+    if (name == kReferenceTechnique) {
+      pairs.push_back({});
+      continue;
+    }
     const auto parts = split(name, '+');
     if (parts.size() > 2)
       throw InputError("--technique", "found '" + name + "', expected TECHNIQUE[+TRANSPARENCY]");
@@ -124,6 +141,7 @@ std::string noMatch(const std::string& filter, const std::vector<CellId>& cells)
 
 std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
                                 const std::vector<CellId>& cells) {
+  if (filter.empty()) return cells;
   const std::regex regex = parseFilter(filter);
   std::vector<CellId> kept;
   for (const CellId& id : cells)
@@ -135,10 +153,17 @@ std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
   return kept;
 }
 
+std::string withEdits(const std::string& scene, const std::vector<std::string>& edits) {
+  std::string spec = scene;
+  for (const std::string& edit : edits) spec += (spec.find('?') == spec.npos ? "?" : ";") + edit;
+  return spec;
+}
+
 void addBaselines(std::vector<CellId>& group) {
   std::set<std::string> present;
   for (const CellId& c : group) present.insert(cellName(c));
   for (size_t i = 0, asked = group.size(); i < asked; ++i) {
+    if (isReference(group[i])) continue;
     CellId baseline = baselineOf(group[i]);
     if (!present.insert(cellName(baseline)).second) continue;
     baseline.companion = true;
@@ -158,12 +183,14 @@ std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& defaultBackends) {
   const auto pairs = selectPairs(selection);
   const auto sweeps = parseSweeps(selection, pairs);
+  std::vector<std::string> known = knownBackends;
+  known.push_back(kReferenceBackend);
   for (const std::string& b : selection.backends)
-    if (std::ranges::find(knownBackends, b) == knownBackends.end())
-      throw InputError("--backend", unknownName("backend", b, knownBackends));
+    if (std::ranges::find(known, b) == known.end())
+      throw InputError("--backend", unknownName("backend", b, known));
   std::vector<std::string> scenes;
   for (const std::string& s : selection.scenes.empty() ? quickScenes() : selection.scenes)
-    scenes.push_back(canonicalSceneSpec(s));
+    scenes.push_back(canonicalSceneSpec(withEdits(s, selection.edits)));
   const auto [width, height] = selection.size.value_or(std::pair<uint32_t, uint32_t>{512, 512});
 
   std::vector<CellId> cells;
@@ -171,10 +198,10 @@ std::vector<CellId> selectCells(const Selection& selection,
   for (const std::string& scene : scenes)
     for (const Pair& pair : pairs)
       for (const auto& knobs : combinations(pair, sweeps))
-        for (const std::string& backend :
-             selection.backends.empty() ? defaultBackends : selection.backends) {
-          CellId id{.technique = pair.shadow->info.name,
-                    .transparency = pair.transparency->info.name,
+        for (const std::string& backend : pair.backends(selection, defaultBackends)) {
+          CellId id{.technique = pair.shadow ? pair.shadow->info.name : kReferenceTechnique,
+                    .transparency =
+                        pair.shadow ? pair.transparency->info.name : kDefaultTransparency,
                     .backend = backend,
                     .scene = scene,
                     .knobs = knobs,
@@ -183,9 +210,11 @@ std::vector<CellId> selectCells(const Selection& selection,
                     .seed = selection.seed};
           if (names.insert(cellName(id)).second) cells.push_back(std::move(id));
         }
-  if (!selection.filter.empty())
-    cells = applyFilter(selection.filter, selection.filterExcludes, cells);
-  return cells;
+  return filterCells(selection, cells);
+}
+
+std::vector<CellId> filterCells(const Selection& selection, const std::vector<CellId>& cells) {
+  return applyFilter(selection.filter, selection.filterExcludes, cells);
 }
 
 std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most) {

@@ -15,6 +15,7 @@ struct Selection {
   std::vector<std::string> backends;    ///< default: those of `defaultBackends`
   std::vector<std::string> scenes;  ///< NAME[:param=value,...] or a file; default: the quick four
   std::vector<std::string> sets;    ///< "knob=v1,v2": a sweep
+  std::vector<std::string> edits;   ///< of every scene, see suites/scenes/scene_edit.h
   std::string filter;               ///< ECMAScript regular expression over names
   bool filterExcludes = false;      ///< the filter names what is left out
   std::optional<std::pair<uint32_t, uint32_t>> size;
@@ -30,6 +31,9 @@ const std::vector<std::string>& quickScenes();
 std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& knownBackends,
                                 const std::vector<std::string>& defaultBackends);
+
+/// The cells that a filter leaves. Throws InputError like selectCells.
+std::vector<CellId> filterCells(const Selection& selection, const std::vector<CellId>& cells);
 
 /// Cells that run interleaved: same scene, size and seed. At most `most` asked-for cells in a
 /// group, a cell's backends always together; baselines that are not asked for are added as

@@ -6,12 +6,12 @@
 namespace sb {
 namespace {
 
-// Box around everything the light shades in the picture: boxes of visible surfaces and media, cut
+// Bounds around everything the light shades in the picture: boxes of visible surfaces and media, cut
 // to the view.
-Box receiverBounds(const Analysis& analysis, const LightReach& reach) {
-  Box bounds;
-  const auto add = [&](const Box& box) {
-    const Box seen = box.clippedTo(analysis.view.bounds());
+Bounds receiverBounds(const Analysis& analysis, const LightReach& reach) {
+  Bounds bounds;
+  const auto add = [&](const Bounds& box) {
+    const Bounds seen = box.clippedTo(analysis.view.bounds());
     if (!seen.empty() && reach.mayLight(seen)) bounds.add(seen);
   };
   for (const AnalysedInstance& instance : analysis.instances)
@@ -27,12 +27,12 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index, bool& medium
   LightEffects light;
   light.light = index;
   const LightReach reach(analysis.scene.lights[index], analysis.eye);
-  const Box receivers = receiverBounds(analysis, reach);
+  const Bounds receivers = receiverBounds(analysis, reach);
   light.touchesView = !receivers.empty();
   if (!light.touchesView) return light;
 
-  const Box turned = reach.directional() ? reach.toLightSpace(receivers) : Box();
-  const auto mayCast = [&](const Box& box) {
+  const Bounds turned = reach.directional() ? reach.toLightSpace(receivers) : Bounds();
+  const auto mayCast = [&](const Bounds& box) {
     return reach.directional()
                ? LightReach::sweptTouches(reach.toLightSpace(box), turned, reach.spread())
                : reach.mayShadow(box, receivers);

@@ -8,7 +8,7 @@ namespace sb {
 namespace {
 
 struct Item {
-  Box box;
+  Bounds box;
   uint32_t instance;
 };
 
@@ -34,7 +34,7 @@ Overlap directionalOverlap(const Analysis& analysis, const LightReach& reach,
                            const std::vector<uint32_t>& casters,
                            const std::function<bool(uint32_t)>& receives) {
   std::vector<Item> items;
-  Box all;
+  Bounds all;
   const auto add = [&](uint32_t i) {
     const Instance& instance = analysis.scene.instances[i];
     const Mesh& mesh = analysis.scene.meshes[instance.mesh];
@@ -42,7 +42,7 @@ Overlap directionalOverlap(const Analysis& analysis, const LightReach& reach,
     glm::dmat4 toLight = instance.toWorld;
     toLight[3] -= glm::dvec4(analysis.eye, 0);
     toLight = glm::dmat4(reach.frame()) * toLight;
-    Box box = transformedBox(mesh.boundsMin, mesh.boundsMax, toLight);
+    Bounds box = transformedBox(mesh.boundsMin, mesh.boundsMax, toLight);
     box.grow(1e-6 * (box.radius() + glm::length(box.center())));
     all.add(box);
     items.push_back({box, i});

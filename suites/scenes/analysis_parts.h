@@ -11,7 +11,7 @@ namespace sb {
 
 /// One instance as the analysis sees it.
 struct AnalysedInstance {
-  Box box;  ///< relative to the eye
+  Bounds box;  ///< relative to the eye
   MaterialTraits traits;
   bool visible = false;  ///< may lie in the view
   bool lit = false;      ///< its material is shaded by lights
@@ -26,7 +26,7 @@ struct Analysis {
   glm::dvec3 eye;
   ViewVolume view;
   std::vector<AnalysedInstance> instances;
-  std::vector<Box> media;        ///< relative to the eye
+  std::vector<Bounds> media;        ///< relative to the eye
   std::vector<bool> mediumSeen;  ///< in the view
 };
 

@@ -12,7 +12,7 @@ glm::dmat4 lookFrom(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
   return glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(eye, 1));
 }
 
-Camera framingCamera(const Box& box) {
+Camera framingCamera(const Bounds& box) {
   const glm::dvec3 center = box.empty() ? glm::dvec3(0) : box.center();
   const double radius = box.empty() || box.radius() == 0 ? 1.0 : box.radius();
   Camera camera;

@@ -9,7 +9,7 @@ namespace sb {
 glm::dmat4 lookFrom(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up = glm::dvec3(0, 1, 0));
 /// A perspective camera, in front, above and to the right of `box`, that sees all of it in pictures
 /// at least as wide as high; near and far planes enclose it.
-Camera framingCamera(const Box& box);
+Camera framingCamera(const Bounds& box);
 /// White, from above the viewer's left shoulder; a white diffuse surface that faces it gets
 /// radiance 1 (illuminance pi).
 Light defaultLight();

@@ -119,7 +119,7 @@ void addCamera(GltfContext& context, const std::string& node, int index,
 }
 
 void closeFarPlanes(Scene& scene) {
-  const Box box = sceneBox(scene);
+  const Bounds box = sceneBox(scene);
   for (Camera& camera : scene.cameras) {
     if (camera.farPlane > 0) continue;
     camera.farPlane = 10 * camera.nearPlane;

@@ -6,7 +6,7 @@
 namespace sb {
 namespace {
 
-double squaredDistance(glm::dvec3 p, const Box& box) {
+double squaredDistance(glm::dvec3 p, const Bounds& box) {
   const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0));
   return glm::dot(away, away);
 }
@@ -40,7 +40,7 @@ LightReach::LightReach(const Light& light, glm::dvec3 origin)
   if (m_directional) m_spread = std::tan(std::min(light.radius, 1.5));
 }
 
-bool LightReach::mayLight(const Box& box) const {
+bool LightReach::mayLight(const Bounds& box) const {
   if (m_dark || box.empty()) return false;
   if (m_directional) return true;
   const double reach = m_range + m_radius;
@@ -56,26 +56,26 @@ bool LightReach::mayLight(const Box& box) const {
                             box.radius() * (1 + 1e-6) + m_radius);
 }
 
-Box LightReach::toLightSpace(const Box& box) const {
-  Box turned;
+Bounds LightReach::toLightSpace(const Bounds& box) const {
+  Bounds turned;
   for (int i = 0; i < 8; ++i) turned.add(m_toLight * box.corner(i));
   turned.grow(1e-6 * (turned.radius() + glm::length(turned.center())));
   return turned;
 }
 
-bool LightReach::sweptTouches(const Box& caster, const Box& receiver, double spread) {
+bool LightReach::sweptTouches(const Bounds& caster, const Bounds& receiver, double spread) {
   if (!(caster.low.z <= receiver.high.z)) return false;
   const double aside = spread * (receiver.high.z - caster.low.z);
   return caster.low.x - aside <= receiver.high.x && receiver.low.x <= caster.high.x + aside &&
          caster.low.y - aside <= receiver.high.y && receiver.low.y <= caster.high.y + aside;
 }
 
-bool LightReach::mayShadow(const Box& caster, const Box& receiver) const {
+bool LightReach::mayShadow(const Bounds& caster, const Bounds& receiver) const {
   if (caster.empty() || receiver.empty()) return false;
   if (m_directional) return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
   if (!mayLight(caster)) return false;
   // All rays in question lie in the box around light and receiver.
-  Box between{m_position, m_position};
+  Bounds between{m_position, m_position};
   between.grow(m_radius);
   between.add(receiver);
   between.grow(1e-6 * (between.radius() + glm::length(between.center())));

@@ -12,13 +12,13 @@ class LightReach {
   /// `origin` is the eye.
   LightReach(const Light& light, glm::dvec3 origin);
   /// False only if no light arrives anywhere in the box.
-  bool mayLight(const Box& box) const;
+  bool mayLight(const Bounds& box) const;
   /// False only if no ray from the light to a point of `receiver` meets `caster`.
-  bool mayShadow(const Box& caster, const Box& receiver) const;
+  bool mayShadow(const Bounds& caster, const Bounds& receiver) const;
   /// The same, of boxes that were turned by toLightSpace() (directional lights).
-  static bool sweptTouches(const Box& caster, const Box& receiver, double spread);
-  /// Box around a box in the light's frame: x, y across the light, z along it (directional lights).
-  Box toLightSpace(const Box& box) const;
+  static bool sweptTouches(const Bounds& caster, const Bounds& receiver, double spread);
+  /// Bounds around a box in the light's frame: x, y across the light, z along it (directional lights).
+  Bounds toLightSpace(const Bounds& box) const;
   bool directional() const { return m_directional; }
   /// Turns positions relative to the eye into the light's frame (directional lights).
   const glm::dmat3& frame() const { return m_toLight; }

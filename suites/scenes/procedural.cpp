@@ -8,6 +8,7 @@
 
 #include "suites/scenes/gltf_loader.h"
 #include "suites/scenes/procedural_scenes.h"
+#include "suites/scenes/scene_edit.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -26,6 +27,18 @@ bool isFile(std::string_view spec) {
                               [](unsigned char c) { return char(std::tolower(c)); });
   };
   return ends(".gltf") || ends(".glb");
+}
+
+struct SplitSpec {
+  std::string_view base;
+  std::vector<SceneEdit> edits;
+};
+
+/// No name of a scene holds a question mark; globs behind the first one may.
+SplitSpec splitSpec(std::string_view spec) {
+  const size_t mark = spec.find('?');
+  if (mark == spec.npos) return {spec, {}};
+  return {spec.substr(0, mark), parseEdits(spec.substr(mark + 1))};
 }
 
 // Shortest text that reads back as the same number.
@@ -124,20 +137,24 @@ std::vector<SceneInfo> proceduralScenes() {
 }
 
 Scene makeScene(std::string_view spec) {
+  const auto [base, edits] = splitSpec(spec);
   Scene scene;
-  if (isFile(spec)) {
-    scene = loadGltf(spec);
+  if (isFile(base)) {
+    scene = loadGltf(base);
   } else {
-    const Parsed parsed = parseSpec(spec);
+    const Parsed parsed = parseSpec(base);
     scene = parsed.scene->make(parsed.values);
     scene.name = canonical(parsed);
   }
+  applyEdits(scene, edits);
   for (uint32_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = i;
   return scene;
 }
 
 std::string canonicalSceneSpec(std::string_view spec) {
-  return isFile(spec) ? std::string(spec) : canonical(parseSpec(spec));
+  const auto [base, edits] = splitSpec(spec);
+  const std::string name = isFile(base) ? std::string(base) : canonical(parseSpec(base));
+  return edits.empty() ? name : name + "?" + canonicalEdits(edits);
 }
 
 }  // namespace sb

@@ -1,5 +1,6 @@
 // Scenes made by code: deterministic by seed, scaled by documented parameters. A spec names one:
-//   "layers", "spheres_quads:quads=500,orientation=random", or the path of a .gltf or .glb file.
+//   "layers", "spheres_quads:quads=500,orientation=random", or the path of a .gltf or .glb file;
+//   behind '?' changes of camera, light and materials (suites/scenes/scene_edit.h).
 #pragma once
 
 #include <string>

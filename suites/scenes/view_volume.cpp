@@ -40,7 +40,7 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
   m_bounds.grow(kSlack * m_bounds.radius());
 }
 
-bool ViewVolume::mayShow(const Box& box) const {
+bool ViewVolume::mayShow(const Bounds& box) const {
   if (box.empty()) return false;
   for (const Plane& plane : m_planes) {
     const glm::dvec3 furthest(plane.normal.x > 0 ? box.high.x : box.low.x,
@@ -59,8 +59,8 @@ bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
   });
 }
 
-Box ViewVolume::onScreen(const Box& box) const {
-  Box screen;
+Bounds ViewVolume::onScreen(const Bounds& box) const {
+  Bounds screen;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 p = m_toView * box.corner(i);
     if (!m_orthographic && -p.z < m_near) return {{-1, -1, 0}, {1, 1, 0}};

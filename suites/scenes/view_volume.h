@@ -11,14 +11,14 @@ class ViewVolume {
  public:
   ViewVolume(const Camera& camera, double aspect);
   /// False only if nothing of the box can be seen. The box is relative to the eye.
-  bool mayShow(const Box& box) const;
+  bool mayShow(const Bounds& box) const;
   /// False only if nothing of the sphere can be seen.
   bool mayShow(glm::dvec3 center, double radius) const;
-  /// Box around the volume.
-  const Box& bounds() const { return m_bounds; }
-  /// Box of the picture (x, y in [-1, 1], z unused) around `box`; all of it where the box reaches
+  /// Bounds around the volume.
+  const Bounds& bounds() const { return m_bounds; }
+  /// Bounds of the picture (x, y in [-1, 1], z unused) around `box`; all of it where the box reaches
   /// behind the near plane.
-  Box onScreen(const Box& box) const;
+  Bounds onScreen(const Bounds& box) const;
 
  private:
   struct Plane {
@@ -26,7 +26,7 @@ class ViewVolume {
     double offset;      ///< dot(normal, p) + offset >= 0 inside
   };
   std::array<Plane, 6> m_planes;
-  Box m_bounds;
+  Bounds m_bounds;
   glm::dmat3 m_toView;
   double m_scaleX = 1, m_scaleY = 1, m_near = 0;
   bool m_orthographic = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
+#include <stdexcept>
 
 namespace sb {
 namespace {
@@ -93,6 +94,16 @@ std::vector<VisibilityImage> Renderer::readVisibility(uint32_t light) {
 
 uint32_t Renderer::lightCount() const {
   return uint32_t(std::ranges::count_if(m_view->effects().lights, &LightEffects::touchesView));
+}
+
+uint32_t Renderer::sceneLight(uint32_t light) const {
+  for (const LightEffects& effects : m_view->effects().lights)
+    if (effects.touchesView && light-- == 0) return effects.light;
+  throw std::out_of_range("no such light touches the view");
+}
+
+LookupReach Renderer::reach(uint32_t sceneLight) const {
+  return m_technique ? m_technique->reach(sceneLight) : LookupReach{};
 }
 
 std::vector<float> halfToFloat(std::span<const std::byte> texels) {

@@ -46,6 +46,12 @@ class Renderer {
   /// Visibility of a light (index among those that touch the view), see VisibilityBuffer::render.
   std::vector<VisibilityImage> readVisibility(uint32_t light);
   uint32_t lightCount() const;  ///< lights that touch the view
+  /// Index into Scene::lights of a light that touches the view.
+  uint32_t sceneLight(uint32_t light) const;
+  /// Around a receiver of a light (index into Scene::lights), how far lookups of the technique go.
+  LookupReach reach(uint32_t sceneLight) const;
+  /// Frames from now on draw other random numbers. Call between frames.
+  void setSeed(uint32_t seed) { m_view->setSeed(m_device.device, seed); }
 
   const Plan& plan() const { return m_plan; }
   const SceneView& view() const { return *m_view; }

@@ -80,6 +80,18 @@ SceneView::SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effect
   uploadLights(device, {});
 }
 
+void SceneView::setSeed(rhi::Device& device, uint32_t seed) {
+  m_seed = seed;
+  uploadFrame(device);
+}
+
+void SceneView::uploadFrame(rhi::Device& device) {
+  const gpu::FrameData frame{.viewProjection = glm::mat4(m_camera.viewProjection),
+                             .ambient = glm::vec4(scene().ambient, 0),
+                             .counts = {m_lightCount, m_size.width, m_size.height, m_seed}};
+  device.upload(m_frame, 0, std::as_bytes(std::span(&frame, 1)));
+}
+
 void SceneView::setShadowViews(rhi::Device& device, const std::vector<LightView>& views) {
   uploadLights(device, views);
 }
@@ -99,11 +111,8 @@ void SceneView::uploadLights(rhi::Device& device, const std::vector<LightView>& 
     }
     lights.push_back(d);
   }
-  const gpu::FrameData frame{
-      .viewProjection = glm::mat4(m_camera.viewProjection),
-      .ambient = glm::vec4(scene().ambient, 0),
-      .counts = {uint32_t(lights.size()), m_size.width, m_size.height, m_seed}};
-  device.upload(m_frame, 0, std::as_bytes(std::span(&frame, 1)));
+  m_lightCount = uint32_t(lights.size());
+  uploadFrame(device);
   m_lights = makeStorage(device, "view lights", lights.size() * sizeof(gpu::LightData));
   uploadAll(device, m_lights, lights);
   m_shadowViews =

@@ -26,6 +26,8 @@ class SceneView {
 
   /// Tells the shaders which shadow views belong to which light. Lights without views are lit.
   void setShadowViews(rhi::Device& device, const std::vector<LightView>& views);
+  /// Other random numbers from the next frame on. Call between frames.
+  void setSeed(rhi::Device& device, uint32_t seed);
 
   /// Slots common to every pass: draw (dynamic offset), frame, instances, materials, lights, shadow
   /// views, triangles. The draw binding is the first element.
@@ -35,12 +37,14 @@ class SceneView {
   uint64_t drawStride() const { return m_drawStride; }
 
  private:
+  void uploadFrame(rhi::Device& device);
   void uploadLights(rhi::Device& device, const std::vector<LightView>& views);
 
   const GpuScene& m_gpu;
   const Effects& m_effects;
   rhi::Extent2D m_size;
   uint32_t m_seed;
+  uint32_t m_lightCount = 0;  ///< that touch the view
   CameraMatrices m_camera;
   uint64_t m_drawStride = 256;
   rhi::Buffer m_draws, m_frame, m_instances, m_lights, m_shadowViews;

@@ -40,6 +40,7 @@ float depthStep(rhi::Format format) {
 ShadowMaps::ShadowMaps(const Context& context, float step) {
   const Knobs& knobs = context.knobs;
   m_size = knobs.integer("size");
+  m_kernel = knobs.integer("kernel");
   m_depthFormat = knobs.is("depth", "d16")   ? rhi::Format::D16Unorm
                   : knobs.is("depth", "d24") ? rhi::Format::D24Unorm
                                              : rhi::Format::D32Float;
@@ -98,6 +99,16 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
                    .baseLayer = uint32_t(view.layer()),
                    .layerCount = 1},
           .clearDepth = 0};
+}
+
+LookupReach ShadowMaps::reach(uint32_t sceneLight) const {
+  for (const LightView& view : m_views) {
+    if (view.light != sceneLight) continue;
+    // A texel's width anywhere, or at distance 1 under a local light.
+    const double half = 0.5 * double(m_kernel + 1) * double(view.data.texel.z);
+    return view.data.texel.w > 0 ? LookupReach{.perDistance = half} : LookupReach{.constant = half};
+  }
+  return {};
 }
 
 std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "techniques/common/draw_list.h"
+#include "techniques/common/lookup_reach.h"
 #include "techniques/common/technique.h"
 
 namespace sb {
@@ -27,6 +28,9 @@ class ShadowMaps {
   const rhi::Texture& depth() const { return m_depth; }
   rhi::SamplerId pointSampler() const { return m_pointSampler; }
 
+  /// Half a lookup's width for a light: texels of the filter, and where in its texel a receiver lies.
+  LookupReach reach(uint32_t sceneLight) const;
+
   /// Constants 16..18 of light_space.glsl from the knobs.
   static std::vector<rhi::SpecConstant> constants(const Knobs& knobs);
   /// Depth-only pipeline of casters; add what differs. `surface`: with uvs and textures.
@@ -42,6 +46,7 @@ class ShadowMaps {
 
  private:
   uint32_t m_size = 0;
+  uint32_t m_kernel = 1;
   uint32_t m_layers = 0;
   rhi::Format m_depthFormat = rhi::Format::D32Float;
   std::vector<LightView> m_views;

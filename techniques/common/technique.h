@@ -12,6 +12,7 @@
 
 #include "techniques/common/frame.h"
 #include "techniques/common/knobs.h"
+#include "techniques/common/lookup_reach.h"
 #include "techniques/common/pipeline_cache.h"
 #include "techniques/common/plan.h"
 #include "techniques/common/scene_view.h"
@@ -64,6 +65,9 @@ class ShadowTechnique {
   virtual void recordCamera(Frame& frame, CameraPass& camera);
   /// Textures that tests and `bench render` may look at: label and texture of each map.
   virtual std::vector<std::pair<std::string, rhi::TextureId>> maps() const { return {}; }
+  /// How far lookups for a light (index into Scene::lights) reach: errors within that distance of a
+  /// shadow's edge are blamed on resolution. Nothing for techniques without maps.
+  virtual LookupReach reach(uint32_t) const { return {}; }
 };
 
 class TransparencyTechnique {

@@ -6,6 +6,15 @@
 #include "shaders/common/shared_types.h"
 
 namespace sb {
+namespace {
+
+bool isEmpty(const VisibilityImage& image) {
+  for (size_t i = 3; i < image.size(); i += 4)
+    if (image[i] != 0) return false;
+  return true;
+}
+
+}  // namespace
 
 VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& camera)
     : m_context(context), m_camera(camera) {
@@ -36,7 +45,15 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
 
 std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
   std::vector<VisibilityImage> images;
-  for (uint32_t layer = 0; layer <= kLayers; ++layer) images.push_back(renderLayer(light, layer));
+  const bool translucent = !m_context.view.effects().visibleTranslucent.empty();
+  for (uint32_t layer = 0; layer <= kLayers; ++layer) {
+    if (layer == 1 && !translucent)
+      images.push_back(images[0]);  // the first surface is the first opaque one
+    else if (layer > 1 && (!translucent || isEmpty(images.back())))
+      images.emplace_back(images[0].size(), 0.0f);
+    else
+      images.push_back(renderLayer(light, layer));
+  }
   return images;
 }
 

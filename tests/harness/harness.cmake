@@ -4,4 +4,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/group_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/protocol_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/samples_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/selection_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/selection_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/suite_test.cpp)

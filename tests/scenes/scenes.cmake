@@ -8,6 +8,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/gltf_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/optics_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/procedural_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/scene_edit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shared_scenes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/transform_test.cpp)
 target_link_libraries(unit_tests PRIVATE scenes)

@@ -1,0 +1,240 @@
+#include "suites/harness/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/stats/stats.h"
+#include "suites/harness/certify.h"
+#include "suites/harness/verify.h"
+#include "suites/metrics/blame.h"
+#include "suites/metrics/error.h"
+#include "suites/metrics/error_map.h"
+#include "suites/truth/truth_cache.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+namespace {
+
+/// Visibility that differs by less has no edge between: textures vary smoothly.
+constexpr double kEdge = 1.0 / 64;
+
+report::Picture pictureOf(rhi::Extent2D size, const std::vector<float>& rgba) {
+  return {size.width, size.height, rgba};
+}
+
+void addFile(const std::string& role, const report::Picture& picture,
+             std::span<const uint8_t> rgb, report::Record& record, PictureFiles& files) {
+  std::string png = report::encodePng(picture.width, picture.height, rgb);
+  const std::string hash = report::contentHash(std::as_bytes(std::span(png)));
+  record.pictures[role] = hash;
+  files[hash] = std::move(png);
+}
+
+bool isStochastic(const CellId& id, const Plan& plan) {
+  return shadowTechnique(id.technique).info.stochastic &&
+         plan.planned.has(Effect::TranslucentCasters);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string out;
+  for (const std::string& p : parts) out += (out.empty() ? "" : "; ") + p;
+  return out;
+}
+
+}  // namespace
+
+Judge::Judge(const Scene& scene, std::string sceneHash, rhi::Extent2D size, JudgeSettings settings)
+    : m_scene(scene),
+      m_sceneHash(std::move(sceneHash)),
+      m_size(size),
+      m_settings(std::move(settings)) {
+  if (!m_settings.enabled) m_why = "no truth was asked for";
+  if (const auto missing = notYetRepresented(scene); m_why.empty() && !missing.empty())
+    m_why = "the truth cannot show this scene yet: " + joined(missing);
+}
+
+const Tracer& Judge::tracer() {
+  if (!m_tracer) m_tracer = std::make_unique<Tracer>(m_scene, m_size.width, m_size.height);
+  return *m_tracer;
+}
+
+const Truth* Judge::truth() {
+  if (!m_why.empty() || m_truth) return m_truth ? &*m_truth : nullptr;
+  const std::string key = truthKey(m_sceneHash, m_size.width, m_size.height);
+  if (!m_settings.cache.empty()) m_truth = readTruth(m_settings.cache, key);
+  if (m_truth) return &*m_truth;
+  m_truth = tracer().trace({.width = m_size.width,
+                            .height = m_size.height,
+                            .interrupted = m_settings.interrupted,
+                            .progress = m_settings.progress});
+  if (!m_truth) {
+    m_why = "interrupted";
+    return nullptr;
+  }
+  if (!m_settings.cache.empty()) writeTruth(m_settings.cache, key, *m_truth);
+  return &*m_truth;
+}
+
+Values Judge::truthAt(uint32_t light, uint32_t layer) const {
+  return m_truth->visibility[size_t(light) * kTruthLayers + layer];
+}
+
+std::span<const uint8_t> Judge::edgesAt(uint32_t light, uint32_t layer) const {
+  return m_truth->edges[size_t(light) * kTruthLayers + layer];
+}
+
+void Judge::judge(Subject& subject, const CellId& id, const report::Picture& picture,
+                  report::Record& record, PictureFiles& files) {
+  if (!truth()) {
+    for (const char* key : {"visibility", "image", "noise", "certificate", "blame", "truth_stderr"})
+      record.why[key] = m_why;
+    return;
+  }
+  const report::Picture reference = pictureOf(m_size, m_truth->image);
+  record.image = imageError(picture, reference, m_truth->imageEdges);
+  record.truthStderr = m_truth->standardError;
+  addFile("image", picture, report::toSrgb8(picture), record, files);
+  addFile("truth", picture, report::toSrgb8(reference), record, files);
+  addFile("error", picture, errorMap(picture, reference), record, files);
+
+  Renderer* renderer = subject.renderer();
+  if (!renderer) {
+    // The tracer asks the truth itself.
+    record.visibility = report::VisibilityError{};
+    for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+    record.why["blame"] = "no error";
+    return;
+  }
+  std::vector<Answer> answers;
+  for (uint32_t light = 0; light < renderer->lightCount(); ++light)
+    answers.push_back({renderer->sceneLight(light), light, renderer->readVisibility(light)});
+  judgeVisibility(answers, record);
+
+  std::vector<std::vector<SeedMoments>> moments;
+  if (!isStochastic(id, renderer->plan()))
+    for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+  else if (m_settings.seeds < 2)
+    for (const char* key : {"noise", "certificate"}) record.why[key] = "one seed alone was asked for";
+  else
+    moments = judgeSeeds(*renderer, id.seed, answers, record);
+  blame(*renderer, answers, moments, record, files);
+}
+
+void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
+  ErrorSum all, interior;
+  for (const Answer& a : answers)
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const Values measured = a.layers[layer], expected = truthAt(a.light, layer);
+      const auto edges = edgesAt(a.light, layer);
+      report::LayerError error{.light = a.light,
+                               .lightName = m_scene.lights[a.light].name,
+                               .layer = layer,
+                               .error = {errorOf(measured, expected),
+                                         errorOf(measured, expected, edges)}};
+      if (error.error.all.pixels == 0) continue;
+      all.add(measured, expected);
+      interior.add(measured, expected, edges);
+      record.visibilityLayers.push_back(std::move(error));
+    }
+  record.visibility = report::VisibilityError{all.stats(), interior.stats()};
+}
+
+std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint32_t seed,
+                                                        const std::vector<Answer>& answers,
+                                                        report::Record& record) {
+  std::vector<TrialRegion> regions;
+  const uint32_t trials = answers.empty() ? 0 : renderer.reach(answers.front().light).trials;
+  for (const Answer& a : answers)
+    for (uint32_t layer = 0; trials > 0 && layer < kTruthLayers; ++layer)
+      for (TrialRegion& r : trialRegions(tracer(), truthAt(a.light, layer), edgesAt(a.light, layer),
+                                         m_size, a.light, layer, renderer.reach(a.light)))
+        regions.push_back(std::move(r));
+
+  std::vector<std::vector<SeedMoments>> moments(answers.size(),
+                                                std::vector<SeedMoments>(kTruthLayers));
+  std::vector<double> errors;
+  for (uint32_t n = 0; n < m_settings.seeds; ++n) {
+    if (m_settings.interrupted && m_settings.interrupted->load()) break;
+    renderer.setSeed(seed + n);
+    renderer.frame();
+    ErrorSum sum;
+    for (size_t i = 0; i < answers.size(); ++i) {
+      const auto layers = renderer.readVisibility(answers[i].asked);
+      for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+        moments[i][layer].add(layers[layer]);
+        sum.add(layers[layer], truthAt(answers[i].light, layer));
+      }
+      for (TrialRegion& r : regions)
+        if (r.light == answers[i].light) countTrials(r, layers[r.layer], trials);
+    }
+    errors.push_back(sum.stats().rmse);
+  }
+  renderer.setSeed(seed);
+  renderer.frame();
+
+  ErrorSum mean;
+  double variance = 0;
+  uint64_t values = 0;
+  for (size_t i = 0; i < answers.size(); ++i)
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const Values expected = truthAt(answers[i].light, layer);
+      const SeedMoments& m = moments[i][layer];
+      mean.add(m.mean(), expected);
+      const std::vector<float> v = m.variance();
+      for (size_t p = 0; p + 3 < v.size(); p += 4) {
+        if (m.mean()[p + 3] != 1 || expected[p + 3] != 1) continue;
+        for (size_t c = 0; c < 3; ++c) variance += double(v[p + c]);
+        values += 3;
+      }
+    }
+  const report::ErrorStats bias = mean.stats();
+  const report::Interval interval = report::medianInterval(errors);
+  record.noise = report::NoiseRecord{
+      .seeds = uint32_t(errors.size()),
+      .noise = values ? std::sqrt(variance / double(values)) : 0,
+      .biasRmse = bias.rmse,
+      .bias = bias.bias,
+      .rmseLow = interval.low,
+      .rmseHigh = interval.high};
+  if (trials > 0)
+    record.certificate = certificateOf(regions, m_size);
+  else
+    record.why["certificate"] = "a lookup is no sum of equal trials";
+  return moments;
+}
+
+void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
+                  const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
+                  PictureFiles& files) {
+  BlameSum sum(m_size.width, m_size.height);
+  for (size_t i = 0; i < answers.size(); ++i) {
+    const Answer& a = answers[i];
+    const LookupReach reach = renderer.reach(a.light);
+    const bool looksUp = reach.constant > 0 || reach.perDistance > 0;
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const std::vector<float> variance =
+          moments.empty() ? std::vector<float>() : moments[i][layer].variance();
+      BlameInput input{.measured = a.layers[layer],
+                       .truth = truthAt(a.light, layer),
+                       .mean = moments.empty() ? Values() : Values(moments[i][layer].mean()),
+                       .variance = variance,
+                       // Without a map there is no resolution to blame.
+                       .edges = looksUp ? edgesAt(a.light, layer) : std::span<const uint8_t>(),
+                       .surfaces = m_truth->surfaces[layer],
+                       .shadowEdgeNear = nullptr};
+      if (looksUp)
+        input.shadowEdgeNear = [&](uint32_t x, uint32_t y) {
+          const auto point = tracer().pointAt(x, y, layer);
+          if (!point) return true;  // a silhouette: the rasteriser shows another surface
+          const Tracer::Range range = tracer().visibilityNear(a.light, *point, reach);
+          return glm::any(glm::greaterThan(range.high - range.low, glm::dvec3(kEdge)));
+        };
+      sum.add(input);
+    }
+  }
+  record.blame = sum.blame();
+  if (record.blame->shares.empty()) return;
+  addFile("blame", pictureOf(m_size, {}), sum.picture(), record, files);
+}
+
+}  // namespace sb

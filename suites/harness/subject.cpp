@@ -1,0 +1,144 @@
+#include "suites/harness/subject.h"
+
+#include <ctime>
+#include <fstream>
+
+#include "suites/truth/tracer.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+namespace {
+
+/// A technique on a device.
+class RendererSubject final : public Subject {
+ public:
+  RendererSubject(const CellId& id, DeviceSession& session, const GpuScene& gpuScene,
+                  const Effects& effects, std::string passesUntrusted)
+      : m_id(id),
+        m_session(session),
+        m_createdBefore(session.pipelines->createMs()),
+        m_renderer(session.context(), gpuScene, effects,
+                   RendererDesc{.technique = &shadowTechnique(id.technique),
+                                .transparency = &transparencyTechnique(id.transparency),
+                                .knobs = cellKnobs(id),
+                                .size = {id.width, id.height},
+                                .seed = id.seed,
+                                .forced = {}}),
+        m_passesUntrusted(std::move(passesUntrusted)) {}
+
+  FrameResult frame(FrameMode mode) override { return m_renderer.frame(mode); }
+  report::Picture picture() override { return {m_id.width, m_id.height, m_renderer.readImage()}; }
+  bool software() const override { return m_session.device->isSoftware(); }
+  double createMs() const override { return m_session.pipelines->createMs() - m_createdBefore; }
+  size_t pipelines() const override { return m_session.pipelines->size(); }
+  std::vector<rhi::Message> takeMessages() override { return m_session.device->takeMessages(); }
+  std::string passesUntrusted() const override { return m_passesUntrusted; }
+  Renderer* renderer() override { return &m_renderer; }
+
+  void describe(report::Record& record) const override {
+    const Plan& plan = m_renderer.plan();
+    for (Effect e : plan.planned.list()) record.effectsPlanned.emplace_back(effectName(e));
+    for (const auto& [e, why] : plan.skipped)
+      record.effectsSkipped.emplace_back(std::string(effectName(e)), why);
+    for (Effect e : plan.unrepresented)
+      record.effectsUnrepresented.emplace_back(effectName(e));
+    record.bytesByLabel = m_renderer.bytesByLabel();
+    for (const auto& [label, bytes] : record.bytesByLabel) record.bytes += bytes;
+  }
+
+ private:
+  const CellId m_id;
+  DeviceSession& m_session;
+  const double m_createdBefore;
+  Renderer m_renderer;
+  std::string m_passesUntrusted;
+};
+
+/// The truth's tracer: one ray a pixel and the shadow rays that it calls for, on all CPUs.
+class TracerSubject final : public Subject {
+ public:
+  TracerSubject(const CellId& id, const Scene& scene)
+      : m_id(id), m_start(clockMs(CLOCK_MONOTONIC)), m_tracer(scene, id.width, id.height) {
+    m_createMs = clockMs(CLOCK_MONOTONIC) - m_start;
+  }
+
+  FrameResult frame(FrameMode) override {
+    FrameResult result;
+    const double wall = clockMs(CLOCK_MONOTONIC), cpu = clockMs(CLOCK_PROCESS_CPUTIME_ID);
+    m_image = m_tracer.image();
+    result.wallMs = clockMs(CLOCK_MONOTONIC) - wall;
+    result.cpuMs = clockMs(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    return result;
+  }
+  report::Picture picture() override { return {m_id.width, m_id.height, m_image}; }
+  bool software() const override { return true; }
+  double createMs() const override { return m_createMs; }
+  bool hasPasses() const override { return false; }
+  std::string passesUntrusted() const override { return "ray tracing has no passes"; }
+  void describe(report::Record&) const override {}
+
+ private:
+  static double clockMs(clockid_t id) {
+    timespec t{};
+    clock_gettime(id, &t);
+    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+  }
+
+  const CellId m_id;
+  const double m_start;
+  Tracer m_tracer;
+  double m_createMs = 0;
+  std::vector<float> m_image;
+};
+
+std::string cpuName() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "CPU";
+}
+
+std::unique_ptr<Subject> skip(report::Record& record, const std::string& reason) {
+  record.status = report::Status::Skipped;
+  record.reason = reason;
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
+                                     report::Record& record) {
+  if (isReference(id)) {
+    record.device = cpuName();
+    record.deviceType = rhi::deviceTypeName(rhi::DeviceType::Software);
+    record.driver = "the truth's tracer";
+    if (const auto missing = notYetRepresented(context.scene); !missing.empty())
+      return skip(record, "not yet represented: " + missing.front());
+    return std::make_unique<TracerSubject>(id, context.scene);
+  }
+  DeviceSession* session = context.devices.open(id.backend);
+  if (!session)
+    return skip(record, "the backend does not start: " + context.devices.why(id.backend));
+  rhi::Device& device = *session->device;
+  record.device = device.info().name;
+  record.deviceType = rhi::deviceTypeName(device.info().type);
+  record.driver = device.info().driver + " " + device.info().driverVersion;
+  if (auto why = unsupported(device, shadowTechnique(id.technique).info,
+                             transparencyTechnique(id.transparency).info))
+    return skip(record, why->reason);
+  std::string passesUntrusted;
+  if (context.checkTimers) {
+    const auto& facts = Devices::timersOf(*session);
+    if (const auto why = whyUntrusted(facts, TimerUse::Frame); !why.empty()) {
+      report::refuse(record, why);
+      return nullptr;
+    }
+    passesUntrusted = whyUntrusted(facts, TimerUse::Passes);
+  }
+  auto& gpuScene = context.gpuScenes[session];
+  if (!gpuScene) gpuScene = std::make_unique<GpuScene>(device, context.scene);
+  return std::make_unique<RendererSubject>(id, *session, *gpuScene, context.effects,
+                                           std::move(passesUntrusted));
+}
+
+}  // namespace sb

@@ -1,0 +1,55 @@
+// What a group measures: a cell made ready to draw, whatever draws it. A technique on a device of a
+// backend, or the tracer on the CPU.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reports/picture.h"
+#include "reports/record.h"
+#include "suites/harness/cell.h"
+#include "suites/harness/devices.h"
+#include "techniques/common/frame.h"
+
+namespace sb {
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  virtual FrameResult frame(FrameMode mode) = 0;
+  /// The last frame's.
+  virtual report::Picture picture() = 0;
+  /// Compared by CPU time, not by GPU time.
+  virtual bool software() const = 0;
+  /// Milliseconds that making its pipelines or trees took.
+  virtual double createMs() const = 0;
+  /// Frames carry passes that can be stamped and counted.
+  virtual bool hasPasses() const { return true; }
+  /// Pipelines that exist: more of them after a timed frame than before disturb it.
+  virtual size_t pipelines() const { return 0; }
+  /// What validation said since the last call.
+  virtual std::vector<rhi::Message> takeMessages() { return {}; }
+  /// Why stamps of passes are not believed, or "".
+  virtual std::string passesUntrusted() const { return ""; }
+  /// Null: nothing of a rasteriser to ask for visibility.
+  virtual Renderer* renderer() { return nullptr; }
+  /// Fills what the record says of plan and memory.
+  virtual void describe(report::Record& record) const = 0;
+};
+
+/// What the cells of a group share. Must outlive its subjects.
+struct SubjectContext {
+  Devices& devices;
+  const Scene& scene;
+  const Effects& effects;
+  bool checkTimers = true;
+  std::map<DeviceSession*, std::unique_ptr<GpuScene>> gpuScenes = {};
+};
+
+/// Makes a cell ready. Null when it cannot run: then the record is skipped or failed, with the
+/// reason. Fills the record's device keys. Throws rhi::Error when the device refuses.
+std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
+                                     report::Record& record);
+
+}  // namespace sb

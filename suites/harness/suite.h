@@ -1,0 +1,52 @@
+// A suite: cells to measure, named by data instead of by arguments (suites/*.toml). Format:
+//   title = "..."                    what the suite is about
+//   seeds = 64                       optional; as are budget (seconds a cell), precision (percent)
+//   [[run]]                          at least one
+//   scenes = ["layers", ...]         as on the command line
+//   techniques = ["CSSM2", ...]      TECHNIQUE[+TRANSPARENCY]
+//   backends = ["vulkan", ...]       optional
+//   size = "512x512"                 optional
+//   set.kernel = 3                   optional: the same for all cells
+//   grid.size = [512, 1024]          optional: every combination of these
+//   sweep.kernel = [1, 3, 9]         optional: one knob at a time, the others at their defaults
+// A knob that a technique does not have is left out for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "suites/harness/selection.h"
+
+namespace sb {
+
+struct SuiteRun {
+  std::string where;                  ///< "FILE:line: run N", for errors
+  std::vector<Selection> selections;  ///< whose cells together are the run's
+};
+
+struct Suite {
+  std::string name;
+  std::string title;
+  std::optional<uint32_t> seeds;
+  std::optional<double> budgetSeconds;
+  std::optional<double> precisionPercent;
+  std::vector<SuiteRun> runs;
+};
+
+/// Names of the suites that the program brings.
+std::vector<std::string> builtinSuites();
+
+/// A built-in suite by name, or a file whose name ends in .toml. Throws InputError with file, line
+/// and field.
+Suite loadSuite(const std::string& nameOrFile);
+Suite parseSuite(std::string_view text, const std::string& file);
+
+/// Cells of all runs, each once, in order. Backends, size, seed and filter of `over` replace the
+/// suite's. Throws InputError like selectCells, with file and line.
+std::vector<CellId> suiteCells(const Suite& suite, const Selection& over,
+                               const std::vector<std::string>& knownBackends,
+                               const std::vector<std::string>& defaultBackends);
+
+}  // namespace sb

@@ -1,0 +1,200 @@
+#include "suites/scenes/scene_edit.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "suites/scenes/framing.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+struct Key {
+  const char* name;
+  size_t most;  ///< numbers; a colour may be given as one
+  double low, high;
+  bool required;
+};
+
+const std::vector<Key>& keysOf(const std::string& target) {
+  static const std::vector<Key> kCamera = {{"eye", 3, -1e9, 1e9, true},
+                                           {"at", 3, -1e9, 1e9, true},
+                                           {"fov", 1, 1, 170, false}};
+  static const std::vector<Key> kSun = {{"direction", 3, -1e9, 1e9, true},
+                                        {"lux", 1, 0, 1e9, false}};
+  static const std::vector<Key> kMaterial = {{"alpha", 1, 0, 1, true}, {"t", 3, 0, 1, false}};
+  return target == "camera" ? kCamera : target == "sun" ? kSun : kMaterial;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (size_t start = 0; start <= text.size();) {
+    const size_t end = std::min(text.find(separator, start), text.size());
+    parts.emplace_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return parts;
+}
+
+std::string numberText(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+double parseNumber(const std::string& where, const Key& key, const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() ||
+      !(value >= key.low && value <= key.high))
+    throw InputError(where, std::string(key.name) + " holds '" + text +
+                                "', expected a number from " + numberText(key.low) + " to " +
+                                numberText(key.high));
+  return value + 0.0;  // -0 is 0
+}
+
+SceneEdit parseEdit(const std::string& text) {
+  const std::string where = "scene edit '" + text + "'";
+  // Names of materials may hold colons; keys do not.
+  const size_t equals = text.find('=');
+  const size_t colon = equals == text.npos ? text.npos : text.rfind(':', equals);
+  if (colon == text.npos || colon == 0)
+    throw InputError(where, "expected camera:..., sun:... or MATERIAL:key=value,...");
+  SceneEdit edit{.target = text.substr(0, colon), .values = {}};
+  const std::vector<Key>& keys = keysOf(edit.target);
+  const Key* key = nullptr;
+  for (std::string item : split(std::string_view(text).substr(colon + 1), ',')) {
+    if (const size_t at = item.find('='); at != item.npos) {
+      const std::string name = item.substr(0, at);
+      const auto found = std::ranges::find(keys, name, &Key::name);
+      if (found == keys.end()) {
+        std::vector<std::string> known;
+        for (const Key& k : keys) known.emplace_back(k.name);
+        throw InputError(where, unknownName("key", name, known));
+      }
+      if (std::ranges::find(edit.values, name, [](auto& v) { return v.first; }) !=
+          edit.values.end())
+        throw InputError(where, name + " is given twice");
+      key = &*found;
+      edit.values.push_back({name, {}});
+      item = item.substr(at + 1);
+    }
+    if (!key) throw InputError(where, "found '" + item + "', expected key=value");
+    edit.values.back().second.push_back(parseNumber(where, *key, item));
+  }
+  for (const Key& k : keys) {
+    const auto found = std::ranges::find(edit.values, k.name, [](auto& v) { return v.first; });
+    if (found == edit.values.end()) {
+      if (k.required) throw InputError(where, std::string("lacks ") + k.name);
+      continue;
+    }
+    auto& numbers = found->second;
+    if (std::string(k.name) == "t" && numbers.size() == 1) numbers.resize(3, numbers[0]);
+    if (numbers.size() != k.most)
+      throw InputError(where, std::string(k.name) + " has " + std::to_string(numbers.size()) +
+                                  " numbers, expected " + std::to_string(k.most));
+  }
+  std::ranges::sort(edit.values, {}, [&](const auto& v) {
+    return std::ranges::find(keys, v.first, &Key::name) - keys.begin();
+  });
+  return edit;
+}
+
+const std::vector<double>* find(const SceneEdit& edit, const std::string& key) {
+  for (const auto& [name, numbers] : edit.values)
+    if (name == key) return &numbers;
+  return nullptr;
+}
+
+glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+
+std::string nameOf(const SceneEdit& edit) { return "scene edit '" + canonicalEdits({edit}) + "'"; }
+
+void editCamera(Scene& scene, const SceneEdit& edit) {
+  const glm::dvec3 eye = vectorOf(*find(edit, "eye")), at = vectorOf(*find(edit, "at"));
+  if (eye == at) throw InputError(nameOf(edit), "eye and at are the same point");
+  const Bounds bounds = sceneBox(scene);
+  const double farthest =
+      bounds.empty() ? 1000 : glm::length(bounds.center() - eye) + bounds.radius();
+  Camera camera;
+  camera.name = "edit";
+  camera.toWorld = lookFrom(eye, at);
+  if (const auto* fov = find(edit, "fov")) camera.fovY = (*fov)[0] * std::numbers::pi / 180;
+  camera.farPlane = farthest * 1.01;
+  camera.nearPlane = camera.farPlane * 1e-4;
+  scene.cameras.insert(scene.cameras.begin(), camera);
+}
+
+void editSun(Scene& scene, const SceneEdit& edit) {
+  const glm::dvec3 direction = vectorOf(*find(edit, "direction"));
+  if (glm::length(direction) == 0) throw InputError(nameOf(edit), "the direction has no length");
+  Light light = defaultLight();
+  light.name = "sun";
+  light.direction = glm::normalize(direction);
+  if (const auto* lux = find(edit, "lux")) light.intensity = float((*lux)[0]);
+  scene.lights = {light};
+}
+
+void editMaterials(Scene& scene, const SceneEdit& edit) {
+  size_t matched = 0;
+  std::vector<std::string> names;
+  for (Material& m : scene.materials) {
+    names.push_back(m.name);
+    if (!matchesGlob(edit.target, m.name)) continue;
+    ++matched;
+    m.opticsOverride = true;
+    m.overrideAlpha = float((*find(edit, "alpha"))[0]);
+    const auto* t = find(edit, "t");
+    m.overrideTransmission = t ? glm::vec3(vectorOf(*t)) : glm::vec3(0);
+  }
+  if (matched == 0) throw InputError(nameOf(edit), unknownName("material", edit.target, names));
+}
+
+}  // namespace
+
+bool matchesGlob(std::string_view glob, std::string_view name) {
+  if (glob.empty()) return name.empty();
+  if (glob.front() == '*')
+    return matchesGlob(glob.substr(1), name) ||
+           (!name.empty() && matchesGlob(glob, name.substr(1)));
+  return !name.empty() && (glob.front() == '?' || glob.front() == name.front()) &&
+         matchesGlob(glob.substr(1), name.substr(1));
+}
+
+std::vector<SceneEdit> parseEdits(std::string_view text) {
+  std::vector<SceneEdit> edits;
+  for (const std::string& part : split(text, ';')) edits.push_back(parseEdit(part));
+  return edits;
+}
+
+std::string canonicalEdits(const std::vector<SceneEdit>& edits) {
+  std::string out;
+  for (const SceneEdit& edit : edits) {
+    out += (out.empty() ? "" : ";") + edit.target;
+    char separator = ':';
+    for (const auto& [name, numbers] : edit.values) {
+      out += separator + name;
+      char before = '=';
+      for (const double n : numbers) {
+        out += before + numberText(n);
+        before = ',';
+      }
+      separator = ',';
+    }
+  }
+  return out;
+}
+
+void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits) {
+  for (const SceneEdit& edit : edits) {
+    if (edit.target == "camera")
+      editCamera(scene, edit);
+    else if (edit.target == "sun")
+      editSun(scene, edit);
+    else
+      editMaterials(scene, edit);
+  }
+}
+
+}  // namespace sb

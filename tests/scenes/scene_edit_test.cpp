@@ -1,0 +1,82 @@
+// Changes that a scene's spec carries: camera, sun, materials by glob; wrong ones are named.
+#include "suites/scenes/scene_edit.h"
+
+#include <gtest/gtest.h>
+
+#include "suites/scenes/procedural.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+std::string errorOf(const std::string& spec) {
+  try {
+    makeScene(spec);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(SceneEdit, CanonicalTextIsEqualForEqualEdits) {
+  EXPECT_EQ(canonicalSceneSpec("layers?x*:t=.5,alpha=0.50"),
+            "layers?x*:alpha=0.5,t=0.5,0.5,0.5");
+  EXPECT_EQ(canonicalSceneSpec("a b.gltf?camera:at=0,0,0,eye=1,2,-0;sun:direction=0,-1,0"),
+            "a b.gltf?camera:eye=1,2,0,at=0,0,0;sun:direction=0,-1,0");
+  EXPECT_EQ(canonicalSceneSpec("layers"), "layers");
+}
+
+TEST(SceneEdit, CameraLooksFromEyeAtTarget) {
+  const Scene scene = makeScene("layers?camera:eye=1,2,3,at=1,2,-7,fov=90");
+  EXPECT_EQ(scene.camera().eye(), glm::dvec3(1, 2, 3));
+  EXPECT_NEAR(glm::length(glm::dvec3(scene.camera().toWorld[2]) - glm::dvec3(0, 0, 1)), 0, 1e-12);
+  EXPECT_NEAR(scene.camera().fovY, 1.5707963, 1e-6);
+  EXPECT_LT(scene.camera().nearPlane, scene.camera().farPlane);
+}
+
+TEST(SceneEdit, SunReplacesAllLights) {
+  const Scene scene = makeScene("layers?sun:direction=0,-2,0,lux=5");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].type, LightType::Directional);
+  EXPECT_EQ(scene.lights[0].direction, glm::dvec3(0, -1, 0));
+  EXPECT_EQ(scene.lights[0].intensity, 5);
+}
+
+TEST(SceneEdit, MaterialsByGlob) {
+  const Scene before = makeScene("teapot");
+  const Scene after = makeScene("teapot?*:alpha=0.25,t=0.5,0.75,1");
+  ASSERT_EQ(before.materials.size(), after.materials.size());
+  for (const Material& m : after.materials) {
+    EXPECT_TRUE(m.opticsOverride);
+    EXPECT_EQ(m.overrideAlpha, 0.25f);
+    EXPECT_EQ(m.overrideTransmission, glm::vec3(0.5f, 0.75f, 1));
+  }
+}
+
+TEST(SceneEdit, Globs) {
+  EXPECT_TRUE(matchesGlob("fabric*", "fabric_e"));
+  EXPECT_TRUE(matchesGlob("*", ""));
+  EXPECT_TRUE(matchesGlob("a?c*e", "abcdde"));
+  EXPECT_FALSE(matchesGlob("a?c", "ac"));
+  EXPECT_FALSE(matchesGlob("fabric", "fabric_e"));
+}
+
+TEST(SceneEdit, WrongOnesAreNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"layers?", "expected camera:..., sun:... or MATERIAL:key=value"},
+      {"layers?nothing:alpha=1", "unknown material 'nothing'"},
+      {"layers?*:alpha=2", "alpha holds '2', expected a number from 0 to 1"},
+      {"layers?*:t=1", "lacks alpha"},
+      {"layers?*:alpha=1,t=1,1", "t has 2 numbers, expected 3"},
+      {"layers?*:alpha=1,alpha=1", "alpha is given twice"},
+      {"layers?*:alpha=x", "alpha holds 'x'"},
+      {"layers?*:opacity=1", "unknown key 'opacity'"},
+      {"layers?camera:eye=1,2,3", "lacks at"},
+      {"layers?camera:eye=1,2,3,at=1,2,3", "the same point"},
+      {"layers?sun:direction=0,0,0", "no length"}};
+  for (const auto& [spec, text] : cases)
+    EXPECT_NE(errorOf(spec).find(text), std::string::npos) << spec << ": " << errorOf(spec);
+}
+
+}  // namespace
+}  // namespace sb
