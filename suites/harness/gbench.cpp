@@ -104,6 +104,9 @@ void replay(benchmark::State& state, const report::Record& record, size_t& next)
   count("submit_ms", record.submitMs);
   count("shadow_ms", record.shadowMs);
   count("scene_ms", record.sceneMs);
+  if (record.visibility) state.counters["visibility_rmse"] = record.visibility->all.rmse;
+  if (record.image) state.counters["image_rmse"] = record.image->all.rmse;
+  if (record.image) state.counters["flip"] = record.image->flip;
   state.counters["passes"] = double(record.passCount);
   state.counters["draws"] = double(record.drawCount);
   state.counters["triangles"] = double(record.triangleCount);

@@ -136,7 +136,10 @@ void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& 
       interior.add(measured, expected, edges);
       record.visibilityLayers.push_back(std::move(error));
     }
-  record.visibility = report::VisibilityError{all.stats(), interior.stats()};
+  if (all.stats().pixels > 0)
+    record.visibility = report::VisibilityError{all.stats(), interior.stats()};
+  else
+    record.why["visibility"] = "no lit surface is in the picture";
 }
 
 std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint32_t seed,

@@ -46,7 +46,20 @@ class Measuring(Case):
         with open(self.path("a.csv"), newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([r["name"] for r in rows], [e["run_name"] for e in medians])
-        self.assertEqual(sorted(os.listdir(self.folder)), ["a.csv", "a.json", "b.json"])
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["a.csv", "a.json", "a.pictures", "b.json", "b.pictures"])
+        pictures = os.listdir(self.path("a.pictures"))
+        named = {hash + ".png" for e in medians for hash in e["pictures"].values()}
+        self.assertEqual(sorted(pictures), sorted(named))
+        for entry, row in zip(medians, rows):
+            self.assertEqual(sorted(entry["pictures"]), ["blame", "error", "image", "truth"])
+            # The panes cast no shadow here: the visibility is wrong and too light.
+            self.assertGreater(entry["visibility"]["rmse"], 0.05)
+            self.assertGreater(entry["visibility"]["bias"], 0)
+            self.assertGreater(entry["blame"]["shares"]["leaking"], 0.5)
+            self.assertAlmostEqual(sum(entry["blame"]["shares"].values()), 1, 6)
+            self.assertGreater(entry["image"]["flip"], 0)
+            self.assertAlmostEqual(float(row["visibility_rmse"]), entry["visibility"]["rmse"], 4)
         self.compare(files[0], files[1], "_pvalue", "U Test, Repetitions: 10 vs 10")
 
         # A cell that has a time in one file and none in the other.

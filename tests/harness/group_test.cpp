@@ -46,6 +46,7 @@ class NullGroup : public testing::Test {
     s.stop.repetitions = 3;
     s.blockSeconds = 0;
     s.checkTimers = false;
+    s.judge.enabled = false;
     return s;
   }
   std::vector<CellResult> measure(const std::vector<CellId>& cells, const MeasureSettings& s) {
@@ -78,6 +79,39 @@ TEST_F(NullGroup, FillsARecordOfEveryCell) {
   EXPECT_GT(results[1].record.passCount, results[0].record.passCount);
   EXPECT_EQ(results[1].record.crossBackendMax255, 0);
   EXPECT_EQ(results[1].record.sceneHash, results[0].record.sceneHash);
+}
+
+TEST_F(NullGroup, ErrorsThatWereNotAskedForAreAbsentWithTheReason) {
+  const auto results = measure({cell("none", "vulkan")}, settings());
+  EXPECT_FALSE(results[0].record.visibility || results[0].record.image);
+  EXPECT_EQ(results[0].record.why.at("image"), "no truth was asked for");
+  EXPECT_TRUE(results[0].files.empty());
+}
+
+TEST_F(NullGroup, ADeviceThatDrawsNothingHasAnImageErrorAndNoVisibility) {
+  MeasureSettings s = settings();
+  s.judge.enabled = true;
+  const auto results = measure({cell("none", "vulkan")}, s);
+  EXPECT_GT(results[0].record.image->all.rmse, 0.1);
+  EXPECT_FALSE(results[0].record.visibility);
+  EXPECT_EQ(results[0].record.why.at("visibility"), "no lit surface is in the picture");
+}
+
+TEST_F(NullGroup, RayTracingIsARowWithItsTimeAndNoError) {
+  MeasureSettings s = settings();
+  s.judge.enabled = true;
+  const auto results =
+      measure({cell("none", "vulkan"), cell("RayTraced", "cpu"), cell("ShadowMap", "vulkan")}, s);
+  const report::Record& r = results[1].record;
+  ASSERT_EQ(r.status, report::Status::Ok) << r.reason;
+  EXPECT_GT(r.cpu->median, 0);
+  EXPECT_EQ(r.visibility->all.rmse, 0);
+  EXPECT_EQ(r.image->all.max, 0);
+  EXPECT_EQ(r.image->flip, 0);
+  EXPECT_TRUE(r.passes.empty());
+  EXPECT_EQ(r.why.at("passes"), "ray tracing has no passes");
+  ASSERT_EQ(r.ratios.size(), 1u);
+  EXPECT_EQ(r.ratios[0].against, "none/vulkan/layers/16x16");
 }
 
 TEST_F(NullGroup, ABackendThatDoesNotStartIsSkippedWithTheReason) {

@@ -1,4 +1,5 @@
 # Tests of the measuring half that need no driver.
+target_sources(gpu_tests PRIVATE ${CMAKE_CURRENT_LIST_DIR}/judge_gpu_test.cpp)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/compare_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/group_test.cpp

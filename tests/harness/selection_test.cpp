@@ -34,7 +34,25 @@ TEST(Selection, DefaultIsAllTechniquesOnFourScenesAndTwoBackends) {
     EXPECT_TRUE(names.insert(cellName(c)).second) << cellName(c);
   }
   EXPECT_EQ(scenes.size(), 4u);
-  EXPECT_EQ(cells.size(), techniques.size() * 4 * 2);
+  // Ray tracing runs on no backend.
+  EXPECT_TRUE(techniques.contains("RayTraced"));
+  EXPECT_EQ(cells.size(), (techniques.size() - 1) * 4 * 2 + 4);
+}
+
+TEST(Selection, RayTracingRunsOnTheCpuWhenAskedForOrWhenNoBackendIs) {
+  auto names = [](const Selection& s) {
+    std::vector<std::string> list;
+    for (const CellId& c : select(s)) list.push_back(cellName(c));
+    return list;
+  };
+  using Names = std::vector<std::string>;
+  const Names traced = {"RayTraced/cpu/layers/512x512"};
+  EXPECT_EQ(names({.techniques = {"RayTraced"}, .scenes = {"layers"}}), traced);
+  EXPECT_EQ(names({.techniques = {"RayTraced"}, .backends = {"vulkan"}, .scenes = {"layers"}}),
+            traced);
+  EXPECT_EQ(names({.backends = {"cpu"}, .scenes = {"layers"}}), traced);
+  for (const std::string& name : names({.backends = {"vulkan"}}))
+    EXPECT_EQ(name.find("RayTraced"), std::string::npos) << name;
 }
 
 TEST(Selection, NamesSayWhatDiffersFromTheDefaultAndNoMore) {

@@ -1,0 +1,122 @@
+// Errors of real cells against the traced truth: what must be small is, what a technique cannot show
+// is found and blamed, unbiased techniques are certified and a biased one is not.
+#include "suites/harness/certify.h"
+#include "suites/harness/judge.h"
+#include "suites/metrics/error.h"
+#include "tests/techniques/gpu_cell.h"
+#include "tests/techniques/shapes.h"
+
+using namespace sb;
+using namespace sb::test;
+
+namespace {
+
+/// A renderer of the tests as a subject of the judge.
+class CellSubject final : public Subject {
+ public:
+  explicit CellSubject(Cell& cell) : m_cell(cell) {}
+  FrameResult frame(FrameMode mode) override { return m_cell.renderer().frame(mode); }
+  report::Picture picture() override { return m_cell.picture(); }
+  bool software() const override { return true; }
+  double createMs() const override { return 0; }
+  Renderer* renderer() override { return &m_cell.renderer(); }
+  void describe(report::Record&) const override {}
+
+ private:
+  Cell& m_cell;
+};
+
+report::Record judged(CellDevice& device, const Scene& scene, const CellOptions& options,
+                      uint32_t seeds = 16) {
+  Cell cell(device, scene, options);
+  CellSubject subject(cell);
+  report::Record record;
+  PictureFiles files;
+  Judge judge(cell.scene(), "test", options.size, {.seeds = seeds, .cache = {}});
+  judge.judge(subject,
+              {.technique = options.technique, .transparency = "Sorted", .backend = "test",
+               .scene = "test", .width = options.size.width, .height = options.size.height},
+              cell.picture(), record, files);
+  for (const auto& [role, hash] : record.pictures) EXPECT_TRUE(files.contains(hash)) << role;
+  return record;
+}
+
+double shareOf(const report::Record& record, const std::string& cause) {
+  for (const auto& [name, share] : record.blame->shares)
+    if (name == cause) return share;
+  return -1;
+}
+
+CellOptions small(const std::string& technique, std::map<std::string, std::string> knobs = {}) {
+  return {.technique = technique, .knobs = std::move(knobs), .size = {64, 64}};
+}
+
+}  // namespace
+
+GPU_TEST(JudgeCells, AnOpaqueShadowErrsAtItsEdgeAlone) {
+  Scene scene = floorScene();
+  addHorizontal(scene, 0, {0.055f, 1, 0.03f}, 1, 1);
+  const report::Record r = judged(cellDevice(device()), scene,
+                                  small("ShadowMap", {{"compare", "manual"}, {"size", "64"}}));
+  ASSERT_TRUE(r.visibility);
+  EXPECT_GT(r.visibility->all.rmse, 0);
+  EXPECT_EQ(r.visibility->interior.max, 0);
+  EXPECT_LT(r.image->interior.max, 2.0 / 255);
+  EXPECT_NEAR(shareOf(r, "resolution"), 1, 1e-9);
+  EXPECT_EQ(r.visibilityLayers.size(), 2u);  // the first opaque surface is the first surface
+  EXPECT_EQ(r.why.at("noise"), "nothing random runs");
+  EXPECT_EQ(r.truthStderr, 0.0);
+}
+
+GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
+  Scene scene = floorScene();
+  addHorizontal(scene, 0, {0.055f, 1, 0.03f}, 1, 1);
+  const report::Record r = judged(cellDevice(device()), scene, small("none"));
+  EXPECT_EQ(shareOf(r, "leaking"), 1);
+  EXPECT_EQ(r.visibility->all.max, 1);
+  EXPECT_GT(r.visibility->all.bias, 0);
+}
+
+GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
+  const Material pane = glass(0.8f, {0.9f, 0.3f, 0.3f});
+  Scene scene = floorScene();
+  addHorizontal(scene, add(scene, pane), {0, 2, 0}, 5, 5);
+  double noise[2];
+  for (const int i : {0, 1}) {
+    const report::Record r = judged(
+        cellDevice(device()), scene,
+        small("CSSM2", {{"kernel", i == 0 ? "3" : "9"}, {"size", "512"}}));
+    ASSERT_TRUE(r.noise && r.certificate);
+    EXPECT_EQ(r.noise->seeds, 16u);
+    EXPECT_TRUE(r.certificate->unbiased);
+    ASSERT_GE(r.certificate->regions.size(), 3u);
+    EXPECT_GT(r.certificate->regions[0].trials, 1000u);
+    // One seed strays by noise; the mean of 16 by a quarter of it.
+    EXPECT_NEAR(r.noise->biasRmse / r.noise->noise, 0.25, 0.05);
+    EXPECT_GT(shareOf(r, "noise"), 0.8);
+    noise[i] = r.noise->noise;
+  }
+  EXPECT_NEAR(noise[0] / noise[1], 3, 0.4);
+}
+
+GPU_TEST(JudgeCells, ABiasedStochasticMapIsNotCertified) {
+  // The truth of a slightly other pane: as if the technique drew with the wrong probability.
+  Scene scene = floorScene();
+  addHorizontal(scene, add(scene, glass(0.8f, {0.9f, 0.3f, 0.3f})), {0, 2, 0}, 5, 5);
+  CellOptions options = small("CSSM2", {{"kernel", "3"}, {"size", "512"}});
+  Cell cell(cellDevice(device()), scene, options);
+  Scene other = scene;
+  other.materials.back().overrideAlpha = 0.7f;
+  const Tracer tracer(other, 64, 64);
+  const auto truth = tracer.trace({.width = 64, .height = 64});
+  const LookupReach reach = cell.renderer().reach(0);
+  auto regions = trialRegions(tracer, truth->visibility[0], truth->edges[0], {64, 64}, 0, 0, reach);
+  ASSERT_FALSE(regions.empty());
+  for (uint32_t seed = 0; seed < 16; ++seed) {
+    cell.renderer().setSeed(seed);
+    cell.renderer().frame();
+    const auto layers = cell.renderer().readVisibility(0);
+    for (TrialRegion& r : regions) countTrials(r, layers[0], reach.trials);
+  }
+  EXPECT_FALSE(certificateOf(regions, {64, 64}).unbiased);
+}
