@@ -10,6 +10,7 @@ packages=(
   libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers vulkan-validationlayers
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
+  libembree-dev libtbb-dev
   libstb-dev libtinyexr-dev libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev
   libbenchmark-tools python3-scipy # compare.py, and the tests that run it
 )

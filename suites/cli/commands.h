@@ -14,6 +14,8 @@ int measureCommand(const Options& options);
 int renderCommand(const Options& options);
 int sceneCommand(const Options& options);
 int doctorCommand(const Options& options);
+int truthCommand(const Options& options);
+int cacheCommand(const Options& options);
 
 /// Backends and shaders that commands share.
 struct Platform {

@@ -17,6 +17,10 @@ int main(int argc, char** argv) {
         return sb::sceneCommand(*options);
       case sb::Command::Doctor:
         return sb::doctorCommand(*options);
+      case sb::Command::Truth:
+        return sb::truthCommand(*options);
+      case sb::Command::Cache:
+        return sb::cacheCommand(*options);
     }
   } catch (const sb::InputError& e) {
     std::fprintf(stderr, "bench: %s\n", e.what());

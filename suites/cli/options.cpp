@@ -91,8 +91,11 @@ void refuseStray(const CLI::App& app) {
                                                  "', expected the options of a command behind it");
 }
 
-/// Options that choose cells: the same for measuring and for `render`.
-void addSelection(CLI::App& app, Options& o, std::string& size) {
+/// Options that choose a scene, its changes and its size.
+void addScene(CLI::App& app, Options& o, std::string& size) {
+  app.add_option("--scene", o.selection.scenes, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
+      ->type_name("SCENE");
+  app.add_option("--size", size, "of the picture [512x512]")->type_name("WxH");
   app.add_option("--set-material", o.selection.edits,
                  "other optics for materials by glob, in all scenes: 'fabric*:alpha=0.5,t=0.9,0.3,"
                  "0.3'")
@@ -105,6 +108,11 @@ void addSelection(CLI::App& app, Options& o, std::string& size) {
          "--sun", [&o](const std::string& text) { o.selection.edits.push_back("sun:" + text); },
          "one directional light instead of the scene's")
       ->type_name("direction=X,Y,Z[,lux=E]");
+}
+
+/// Options that choose cells: the same for measuring and for `render`.
+void addSelection(CLI::App& app, Options& o, std::string& size) {
+  addScene(app, o, size);
   app.add_option("--technique", o.selection.techniques,
                  "technique, or TECHNIQUE+TRANSPARENCY; repeat or separate by commas")
       ->delimiter(',')
@@ -112,11 +120,8 @@ void addSelection(CLI::App& app, Options& o, std::string& size) {
   app.add_option("--backend", o.selection.backends, "vulkan, opengl (EGL) or opengl-osmesa")
       ->delimiter(',')
       ->type_name("NAME");
-  app.add_option("--scene", o.selection.scenes, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
-      ->type_name("SCENE");
   app.add_option("--set", o.selection.sets, "knob=value; several values make a sweep")
       ->type_name("KNOB=V1[,V2...]");
-  app.add_option("--size", size, "of the picture [512x512]")->type_name("WxH");
   app.add_option("--seed", o.selection.seed, "of random numbers [0]")->type_name("N");
 }
 
@@ -191,6 +196,18 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   scene->add_flag("--json", o.sceneJson, "as JSON");
   scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
 
+  CLI::App* truth =
+      app.add_subcommand("truth", "write the ray-traced truth of a scene as PNG and EXR");
+  std::string truthSize;
+  addScene(*truth, o, truthSize);
+  truth->add_option("--output,-o", o.outputPrefix, "path without extension [truth]")
+      ->type_name("PREFIX");
+  truth->add_option("--exposure", o.exposure, "factor on linear values before the PNG [1]");
+  truth->add_flag("!--no-cache", o.cache, "trace anew, and keep nothing");
+  truth->add_flag("--quiet", o.quiet, "no progress line");
+  CLI::App* cache = app.add_subcommand("cache", "say how many truths are kept on disk, and where");
+  cache->add_flag("--clear", o.clearCache, "remove them");
+
   CLI::App* doctor =
       app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
   addCommon(*doctor, o);
@@ -209,6 +226,11 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   if (render->parsed()) o.command = Command::Render;
   if (scene->parsed()) o.command = Command::Scene;
   if (doctor->parsed()) o.command = Command::Doctor;
+  if (cache->parsed()) o.command = Command::Cache;
+  if (truth->parsed()) {
+    o.command = Command::Truth;
+    if (truth->count("--output") == 0) o.outputPrefix = "truth";
+  }
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),
                      "found it beside a command; it is of measuring");
@@ -217,7 +239,8 @@ std::optional<Options> parseOptions(int argc, char** argv) {
     throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
                                 "itself");
   if (!size.empty()) o.selection.size = parseSize(size);
-  if (!renderSize.empty()) o.selection.size = parseSize(renderSize);
+  for (const std::string& text : {renderSize, truthSize})
+    if (!text.empty()) o.selection.size = parseSize(text);
   if (!o.benchmark.filter.empty()) {
     if (!o.selection.filter.empty())
       throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");

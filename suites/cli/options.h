@@ -10,7 +10,7 @@
 
 namespace sb {
 
-enum class Command : uint8_t { Measure, Render, Scene, Doctor };
+enum class Command : uint8_t { Measure, Render, Scene, Doctor, Truth, Cache };
 
 struct Options {
   Command command = Command::Measure;
@@ -33,6 +33,8 @@ struct Options {
   std::string outputPrefix = "render";
   bool visibility = false;
   float exposure = 1;
+  // cache
+  bool clearCache = false;
   // scene
   std::string sceneName;
   bool sceneJson = false;

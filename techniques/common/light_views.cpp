@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "techniques/common/light_data.h"
+
 namespace sb {
 namespace {
 
@@ -18,14 +20,6 @@ struct FitInput {
   const LightFitSettings& settings;
   std::vector<uint32_t> receivers;  ///< instances in the view
 };
-
-/// Rotation world -> light whose z axis points back at the light (it looks down -z).
-dmat3 lightAxes(const dvec3& direction) {
-  const dvec3 z = -glm::normalize(direction);
-  const dvec3 up = std::abs(z.y) < 0.99 ? dvec3(0, 1, 0) : dvec3(0, 0, -1);
-  const dvec3 x = glm::normalize(glm::cross(up, z));
-  return glm::transpose(dmat3(x, glm::cross(z, x), z));
-}
 
 /// Rotated world -> clip, depth from 1 at the near plane to 0 at infinity.
 dmat4 reversedPerspective(double tangent, double nearPlane) {
@@ -212,10 +206,8 @@ void fitLocal(const FitInput& in, const LightEffects& effects, std::vector<Light
     addLocalView(in, effects, lightAxes(light.direction), std::tan(half), range, 0, out);
     return;
   }
-  // Face order and directions are mirrored by shaders/common/light_space.glsl.
-  static const dvec3 kFaces[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (uint32_t face = 0; face < 6; ++face)
-    addLocalView(in, effects, lightAxes(kFaces[face]), 1.0, range, face, out);
+    addLocalView(in, effects, lightAxes(cubeFaceDirection(face)), 1.0, range, face, out);
 }
 
 }  // namespace

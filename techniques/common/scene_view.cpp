@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/common/light_data.h"
 
 namespace sb {
 namespace {
@@ -26,19 +27,6 @@ gpu::InstanceData instanceData(const Scene& scene, const Instance& instance,
   d.normal0.w = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
   const Mesh& mesh = scene.meshes[instance.mesh];
   d.ids = {mesh.material, instance.key, range.firstTriangle, mesh.key};
-  return d;
-}
-
-gpu::LightData lightData(const Light& light, uint32_t index, const glm::dvec3& eye) {
-  gpu::LightData d{};
-  d.positionRange = glm::vec4(glm::vec3(light.position - eye),
-                              light.range > 0 ? float(1 / light.range) : 0.0f);
-  // KHR_lights_punctual: smooth edge between the cosines of the two cones.
-  const double cosOuter = std::cos(light.outerCone), cosInner = std::cos(light.innerCone);
-  const double scale = 1 / std::max(1e-3, cosInner - cosOuter);
-  d.directionScale = glm::vec4(glm::vec3(glm::normalize(light.direction)), float(scale));
-  d.colorOffset = glm::vec4(light.color * light.intensity, float(-cosOuter * scale));
-  d.ids = {uint32_t(light.type), NO_SHADOW, 0, index};
   return d;
 }
 

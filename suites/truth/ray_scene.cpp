@@ -1,0 +1,160 @@
+#include "suites/truth/ray_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+
+namespace sb {
+namespace {
+
+using glm::dvec3;
+
+double extentOf(const std::vector<TruthTriangle>& triangles, const std::vector<dvec3>& lights) {
+  double extent = 0;
+  auto add = [&](const dvec3& p) {
+    extent = std::max(extent, std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+  };
+  for (const TruthTriangle& t : triangles)
+    for (const dvec3& p : t.corners) add(p);
+  for (const dvec3& p : lights) add(p);
+  return extent;
+}
+
+dvec3 transmittance(const gpu::OpticsData& o) {
+  return 1.0 - double(o.alpha) * (1.0 - dvec3(o.t));
+}
+
+}  // namespace
+
+RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
+    : m_scene(scene),
+      m_width(width),
+      m_height(height),
+      m_triangles(truthTriangles(scene, scene.camera().eye())),
+      m_traits(surfaceTraits(scene)) {
+  const dvec3 eye = scene.camera().eye();
+  for (uint32_t i = 0; i < scene.lights.size(); ++i) {
+    m_lights.push_back(lightData(scene.lights[i], i, eye));
+    m_lightPositions.push_back(scene.lights[i].type == LightType::Directional
+                                   ? dvec3(0)
+                                   : scene.lights[i].position - eye);
+  }
+  m_reach = extentOf(m_triangles, m_lightPositions);
+  const Camera& c = scene.camera();
+  const double picture = c.orthographic ? c.halfHeight * (1 + double(width) / height) : 0;
+  m_bvh = std::make_unique<Bvh>(m_triangles, std::max(m_reach, picture));
+}
+
+Surface RayScene::surface(const TruthHit& hit) const {
+  return {m_scene, m_traits, m_triangles[hit.triangle], hit};
+}
+
+TruthRay RayScene::cameraRay(double x, double y) const {
+  const Camera& c = m_scene.camera();
+  const glm::dmat3 axes(c.toWorld);
+  const double aspect = double(m_width) / m_height;
+  const double u = (2 * x / m_width - 1) * aspect, v = 2 * y / m_height - 1;
+  TruthRay ray{.origin = dvec3(0), .direction = dvec3(0), .tMin = c.nearPlane, .tMax = c.farPlane};
+  // The direction's depth is 1: t is the depth that near and far planes cut.
+  if (c.orthographic) {
+    ray.origin = axes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
+    ray.direction = axes * dvec3(0, 0, -1);
+  } else {
+    const double tangent = std::tan(c.fovY / 2);
+    ray.direction = axes * dvec3(u * tangent, v * tangent, -1);
+  }
+  return ray;
+}
+
+void RayScene::cameraHits(double x, double y, CameraHits& out) const {
+  const auto endsRay = [&](const TruthHit& hit) {
+    const TruthTriangle& t = m_triangles[hit.triangle];
+    return !m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material]
+                .material.cameraTranslucent;
+  };
+  const Bvh::Judge judge = [&](const TruthHit& hit) {
+    const Surface at = surface(hit);
+    const SurfaceTraits& traits = at.traits();
+    if (traits.material.cameraTranslucent)
+      return at.optics().cameraAlpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
+    // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
+    if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
+    if (traits.masked && at.optics().cameraAlpha <= 0) return Bvh::Verdict::Ignore;
+    return Bvh::Verdict::Nearest;
+  };
+  m_bvh->hits(cameraRay(x, y), judge, out.hits);
+  // Translucent layers that lie in the opaque surface stand before it.
+  const auto opaque = std::ranges::find_if(out.hits, endsRay);
+  out.endsOpaque = opaque != out.hits.end();
+  if (!out.endsOpaque) return;
+  const TruthHit end = *opaque;
+  std::erase_if(out.hits, endsRay);
+  out.hits.push_back(end);
+}
+
+Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
+  const TruthRay ray = cameraRay(x, y);
+  const TruthTriangle& t = m_triangles[hit.triangle];
+  const dvec3 n =
+      glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
+  const dvec3 p = ray.origin + hit.t * ray.direction;
+  const SurfaceTraits& traits =
+      m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material];
+  // Toward the eye, as the shaders turn it, for orthographic cameras too.
+  return {.position = p,
+          .normal = glm::dot(n, p) > 0 ? -n : n,
+          .instance = t.instance,
+          .triangle = hit.triangle,
+          .translucent = traits.material.lightClass == MaterialClass::Translucent};
+}
+
+dvec3 RayScene::toLight(uint32_t light, const dvec3& position) const {
+  if (m_scene.lights[light].type == LightType::Directional)
+    return -glm::normalize(m_scene.lights[light].direction);
+  return glm::normalize(m_lightPositions[light] - position);
+}
+
+gpu::Illumination RayScene::illumination(uint32_t light, const Tracer::Point& point) const {
+  return gpu::illumination(m_lights[light], glm::vec3(point.position));
+}
+
+bool RayScene::reaches(uint32_t light, const Tracer::Point& point) const {
+  if (!(glm::dot(point.normal, toLight(light, point.position)) > 0)) return false;
+  return glm::any(glm::greaterThan(illumination(light, point).radiance, glm::vec3(0)));
+}
+
+dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
+                           std::vector<TruthHit>& scratch) const {
+  // Surfaces in the receiver's own plane neither shadow it nor are shadowed by it. Spec 16 has
+  // 1e-6 max(1, |p|); scenes smaller than 1 take their own size for the 1 (spec 17, G2).
+  const double nearest = 1e-6 * std::max(std::min(1.0, m_reach), glm::length(point.position));
+  TruthRay ray{.origin = point.position,
+               .direction = toLight(light, point.position),
+               .tMin = nearest,
+               .tMax = std::numeric_limits<double>::infinity()};
+  if (m_scene.lights[light].type != LightType::Directional) {
+    ray.direction = m_lightPositions[light] - point.position;
+    ray.tMin = nearest / glm::length(ray.direction);
+    ray.tMax = 1 - 1e-9;
+  }
+  bool blocked = false;
+  const Bvh::Judge judge = [&](const TruthHit& hit) {
+    if (hit.triangle == point.triangle) return Bvh::Verdict::Ignore;
+    const Surface at = surface(hit);
+    const bool blocks =
+        at.traits().blocks ||
+        (at.traits().material.lightClass == MaterialClass::Perforated && at.optics().alpha >= 0.5f);
+    blocked |= blocks;
+    if (blocks) return Bvh::Verdict::Stop;
+    return at.traits().material.lightClass == MaterialClass::Perforated ? Bvh::Verdict::Ignore
+                                                                        : Bvh::Verdict::Keep;
+  };
+  m_bvh->hits(ray, judge, scratch);
+  if (blocked) return dvec3(0);
+  dvec3 passed(1);
+  for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());
+  return passed;
+}
+
+}  // namespace sb

@@ -1,0 +1,56 @@
+// A scene as rays meet it: what a camera ray passes and where it ends, and how much of a light
+// arrives at a point (spec 16, camera path and transmittance along a shadow ray).
+#pragma once
+
+#include "shaders/common/shared_shading.h"
+#include "suites/truth/surface.h"
+#include "suites/truth/tracer.h"
+#include "techniques/common/camera.h"
+#include "techniques/common/light_data.h"
+
+namespace sb {
+
+class RayScene {
+ public:
+  RayScene(const Scene& scene, uint32_t width, uint32_t height);
+
+  /// What a camera ray meets, front to back, ending with the first opaque surface; nothing behind
+  /// it. `x`, `y` in pixels, y up, centres at half integers.
+  struct CameraHits {
+    std::vector<TruthHit> hits;
+    bool endsOpaque = false;
+  };
+  void cameraHits(double x, double y, CameraHits& out) const;
+  Tracer::Point point(double x, double y, const TruthHit& hit) const;
+
+  /// Product of what each surface between lets through; 0 at the first opaque one.
+  glm::dvec3 visibility(uint32_t light, const Tracer::Point& point,
+                        std::vector<TruthHit>& scratch) const;
+  /// Does the light reach the side of the surface that the viewer sees?
+  bool reaches(uint32_t light, const Tracer::Point& point) const;
+  gpu::Illumination illumination(uint32_t light, const Tracer::Point& point) const;
+  /// Toward the light, unit.
+  glm::dvec3 toLight(uint32_t light, const glm::dvec3& position) const;
+  /// Relative to the eye; local lights.
+  const glm::dvec3& lightPosition(uint32_t light) const { return m_lightPositions[light]; }
+
+  Surface surface(const TruthHit& hit) const;
+  const Scene& scene() const { return m_scene; }
+  uint32_t width() const { return m_width; }
+  uint32_t height() const { return m_height; }
+  uint32_t lights() const { return uint32_t(m_lights.size()); }
+
+ private:
+  TruthRay cameraRay(double x, double y) const;
+
+  const Scene& m_scene;
+  uint32_t m_width, m_height;
+  std::vector<TruthTriangle> m_triangles;
+  std::vector<SurfaceTraits> m_traits;
+  std::vector<gpu::LightData> m_lights;
+  std::vector<glm::dvec3> m_lightPositions;
+  double m_reach;  ///< farthest coordinate of anything
+  std::unique_ptr<Bvh> m_bvh;
+};
+
+}  // namespace sb

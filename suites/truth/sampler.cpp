@@ -1,0 +1,45 @@
+#include "suites/truth/sampler.h"
+
+
+namespace sb {
+
+void Sampler::find(double x, double y) {
+  m_scene.cameraHits(x, y, m_found);
+  ++m_rays;
+  m_layers.clear();
+  for (const TruthHit& hit : m_found.hits) {
+    Layer& layer = m_layers.emplace_back();
+    layer.point = m_scene.point(x, y, hit);
+    layer.asked.assign(m_scene.lights(), 0);
+    layer.visible.assign(m_scene.lights(), glm::dvec3(1));
+    for (uint32_t l = 0; l < m_scene.lights(); ++l) {
+      if (!m_scene.reaches(l, layer.point)) continue;
+      layer.asked[l] = 1;
+      layer.visible[l] = m_scene.visibility(l, layer.point, m_scratch);
+      ++m_rays;
+    }
+  }
+}
+
+glm::vec3 Sampler::color() const {
+  glm::vec3 color = m_scene.scene().background;
+  std::vector<Surface::Arrival> arrivals;
+  for (size_t i = m_layers.size(); i-- > 0;) {
+    const Layer& layer = m_layers[i];
+    arrivals.clear();
+    for (uint32_t l = 0; l < m_scene.lights(); ++l) {
+      if (!layer.asked[l]) continue;
+      const gpu::Illumination light = m_scene.illumination(l, layer.point);
+      arrivals.push_back({light.toLight, light.radiance * glm::vec3(layer.visible[l])});
+    }
+    const Surface surface = m_scene.surface(m_found.hits[i]);
+    const glm::vec3 radiance =
+        surface.shade(glm::vec3(layer.point.position), glm::vec3(layer.point.normal),
+                      m_scene.scene().ambient, arrivals);
+    const bool opaque = m_found.endsOpaque && i + 1 == m_layers.size();
+    color = opaque ? radiance : glm::mix(color, radiance, surface.optics().cameraAlpha);
+  }
+  return color;
+}
+
+}  // namespace sb

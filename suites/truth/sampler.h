@@ -1,0 +1,38 @@
+// One position of the picture after the other: the layers there, their visibility, their colour.
+#pragma once
+
+#include "suites/truth/ray_scene.h"
+
+namespace sb {
+
+class Sampler {
+ public:
+  explicit Sampler(const RayScene& scene) : m_scene(scene) {}
+
+  /// Finds the layers at a position, in pixels.
+  void find(double x, double y);
+
+  struct Layer {
+    Tracer::Point point;
+    std::vector<uint8_t> asked;       ///< per light: its radiance reaches the side that is seen
+    std::vector<glm::dvec3> visible;  ///< per light; 1 where it is not asked
+  };
+  /// Front to back; the last one is opaque if endsOpaque().
+  const std::vector<Layer>& layers() const { return m_layers; }
+  bool endsOpaque() const { return m_found.endsOpaque; }
+  /// Composited from back to front.
+  glm::vec3 color() const;
+  uint64_t rays() const { return m_rays; }
+
+ private:
+  const RayScene& m_scene;
+  RayScene::CameraHits m_found;
+  std::vector<Layer> m_layers;
+  std::vector<TruthHit> m_scratch;
+  uint64_t m_rays = 0;
+};
+
+/// Everything of a truth; the caller has entered the arena to work in.
+std::optional<Truth> traceTruth(const RayScene& scene, const TruthSettings& settings);
+
+}  // namespace sb

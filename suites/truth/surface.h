@@ -1,0 +1,62 @@
+// What is at a hit: interpolated attributes, optics and shading, as the shaders compute them
+// (shaders/common/material.glsl, surface.glsl).
+#pragma once
+
+#include <span>
+
+#include "shaders/common/shared_optics.h"
+#include "suites/truth/bvh.h"
+#include "techniques/common/optics.h"
+#include "techniques/common/scene.h"
+
+namespace sb {
+
+/// How a material acts, decided once.
+struct SurfaceTraits {
+  MaterialTraits material;
+  gpu::MaterialData data;
+  bool doubleSided = false;
+  bool masked = false;
+  bool blocks = false;  ///< all light, everywhere
+};
+std::vector<SurfaceTraits> surfaceTraits(const Scene& scene);
+
+/// A hit with what hangs on it.
+class Surface {
+ public:
+  Surface(const Scene& scene, const std::vector<SurfaceTraits>& traits,
+          const TruthTriangle& triangle, const TruthHit& hit);
+
+  const SurfaceTraits& traits() const { return m_traits; }
+  /// (alpha, t) for the light and the opacity for the camera.
+  gpu::OpticsData optics() const;
+  /// Linear, before lighting.
+  glm::vec4 baseColor() const;
+
+  /// A light's radiance that arrives at the point, and from where.
+  struct Arrival {
+    glm::vec3 toLight;
+    glm::vec3 radiance;  ///< occlusion included
+  };
+  /// Radiance toward the eye. `normal`: geometric, toward the viewer; `position` relative to the
+  /// eye.
+  glm::vec3 shade(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& ambient,
+                  std::span<const Arrival> arrivals) const;
+
+ private:
+  template <class T>
+  T interpolated(const std::vector<T>& values, T fallback) const;
+  glm::dvec4 sample(uint32_t slot) const;
+  bool has(uint32_t slot) const;
+  glm::vec3 shadingNormal(const glm::vec3& geometric) const;
+
+  const Scene& m_scene;
+  const Mesh& m_mesh;
+  const Instance& m_instance;
+  const Material& m_material;
+  const SurfaceTraits& m_traits;
+  uint32_t m_corner[3];
+  float m_weight[3];
+};
+
+}  // namespace sb

@@ -1,0 +1,155 @@
+// Tracing a whole truth: centres for the values, four more positions a pixel for where it jumps.
+#include "suites/truth/truth.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "suites/truth/sampler.h"
+
+namespace sb {
+namespace {
+
+constexpr double kOffset = 0.35;       ///< of the four positions from the centre, pixels
+constexpr double kCosTurn = 0.8660254; ///< of 30 degrees: a geometric normal that turns more jumps
+constexpr double kJump = 1.0 / 64;     ///< of visibility
+constexpr int kDilate = 2;             ///< pixels
+
+/// Layer of the truth (0: first opaque) -> index into the sampler's layers, or none.
+std::optional<size_t> indexOf(const Sampler& s, uint32_t layer) {
+  if (layer == 0) return s.endsOpaque() ? std::optional(s.layers().size() - 1) : std::nullopt;
+  return layer - 1 < s.layers().size() ? std::optional<size_t>(layer - 1) : std::nullopt;
+}
+
+bool surfaceJumps(const Sampler::Layer& a, const Sampler::Layer& b) {
+  return a.point.instance != b.point.instance ||
+         glm::dot(a.point.normal, b.point.normal) < kCosTurn;
+}
+
+bool visibilityJumps(const Sampler::Layer& a, const Sampler::Layer& b, uint32_t light) {
+  if (a.asked[light] != b.asked[light]) return true;
+  return glm::any(glm::greaterThan(glm::abs(a.visible[light] - b.visible[light]),
+                                   glm::dvec3(kJump)));
+}
+
+class Tracing {
+ public:
+  Tracing(const RayScene& scene, const TruthSettings& settings)
+      : m_scene(scene), m_settings(settings) {
+    const size_t pixels = size_t(scene.width()) * scene.height();
+    const size_t images = size_t(scene.lights()) * kTruthLayers;
+    m_truth.width = scene.width();
+    m_truth.height = scene.height();
+    m_truth.visibility.assign(images, std::vector<float>(4 * pixels, 0.0f));
+    m_truth.edges.assign(images, std::vector<uint8_t>(pixels, 0));
+    m_truth.surfaces.assign(kTruthLayers, std::vector<uint8_t>(pixels, 0));
+    m_truth.image.assign(4 * pixels, 0.0f);
+    m_truth.imageEdges.assign(pixels, 0);
+  }
+
+  std::optional<Truth> run() {
+    const auto start = std::chrono::steady_clock::now();
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, m_scene.height()), [&](const auto& range) {
+      Sampler centre(m_scene), beside(m_scene);
+      for (uint32_t y = range.begin(); y < range.end() && !interrupted(); ++y) {
+        for (uint32_t x = 0; x < m_scene.width(); ++x) tracePixel(x, y, centre, beside);
+        rowDone();
+      }
+      m_rays += centre.rays() + beside.rays();
+    });
+    if (interrupted()) return {};
+    for (auto& mask : m_truth.edges) {
+      dilate(mask);
+      for (size_t i = 0; i < mask.size(); ++i) m_truth.imageEdges[i] |= mask[i];
+    }
+    dilate(m_depthEdges);
+    for (size_t i = 0; i < m_depthEdges.size(); ++i) m_truth.imageEdges[i] |= m_depthEdges[i];
+    m_truth.rays = m_rays;
+    m_truth.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(m_truth);
+  }
+
+ private:
+  bool interrupted() const { return m_settings.interrupted && m_settings.interrupted->load(); }
+
+  void rowDone() {
+    const uint32_t done = ++m_rows;
+    if (!m_settings.progress) return;
+    const std::lock_guard lock(m_progress);
+    m_settings.progress(double(done) / m_scene.height());
+  }
+
+  void tracePixel(uint32_t x, uint32_t y, Sampler& centre, Sampler& beside) {
+    const size_t pixel = size_t(y) * m_scene.width() + x;
+    centre.find(x + 0.5, y + 0.5);
+    const glm::vec3 color = centre.color();
+    for (size_t c = 0; c < 3; ++c) m_truth.image[4 * pixel + c] = color[int(c)];
+    m_truth.image[4 * pixel + 3] = 1;
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const auto index = indexOf(centre, layer);
+      if (!index) continue;
+      const Sampler::Layer& found = centre.layers()[*index];
+      m_truth.surfaces[layer][pixel] = found.point.translucent ? 2 : 1;
+      for (uint32_t l = 0; l < m_scene.lights(); ++l) {
+        if (!found.asked[l]) continue;
+        float* out = m_truth.visibility[size_t(l) * kTruthLayers + layer].data() + 4 * pixel;
+        for (int c = 0; c < 3; ++c) out[c] = float(found.visible[l][c]);
+        out[3] = 1;
+      }
+    }
+    for (int corner = 0; corner < 4; ++corner) {
+      beside.find(x + 0.5 + (corner & 1 ? kOffset : -kOffset),
+                  y + 0.5 + (corner & 2 ? kOffset : -kOffset));
+      compare(centre, beside, pixel);
+    }
+  }
+
+  void compare(const Sampler& a, const Sampler& b, size_t pixel) {
+    if (a.layers().size() != b.layers().size()) m_depthEdges[pixel] = 1;
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const auto i = indexOf(a, layer), j = indexOf(b, layer);
+      if (!i && !j) continue;
+      const bool jumps = !i || !j || surfaceJumps(a.layers()[*i], b.layers()[*j]);
+      if (jumps) m_depthEdges[pixel] = 1;
+      for (uint32_t l = 0; l < m_scene.lights(); ++l)
+        if (jumps || visibilityJumps(a.layers()[*i], b.layers()[*j], l))
+          m_truth.edges[size_t(l) * kTruthLayers + layer][pixel] = 1;
+    }
+  }
+
+  /// Grows a mask by kDilate pixels, corners included.
+  void dilate(std::vector<uint8_t>& mask) const {
+    const int w = int(m_scene.width()), h = int(m_scene.height());
+    auto grow = [&](int count, int lines, int step, int lineStep) {
+      std::vector<uint8_t> line(size_t(count), 0);
+      for (int n = 0; n < lines; ++n) {
+        for (int i = 0; i < count; ++i) line[size_t(i)] = mask[size_t(n * lineStep + i * step)];
+        for (int i = 0; i < count; ++i)
+          for (int k = std::max(0, i - kDilate); k <= std::min(count - 1, i + kDilate); ++k)
+            mask[size_t(n * lineStep + i * step)] |= line[size_t(k)];
+      }
+    };
+    grow(w, h, 1, w);
+    grow(h, w, w, 1);
+  }
+
+  const RayScene& m_scene;
+  const TruthSettings& m_settings;
+  Truth m_truth;
+  std::vector<uint8_t> m_depthEdges =
+      std::vector<uint8_t>(size_t(m_scene.width()) * m_scene.height(), 0);
+  std::atomic<uint64_t> m_rays = 0;
+  std::atomic<uint32_t> m_rows = 0;
+  std::mutex m_progress;
+};
+
+}  // namespace
+
+std::optional<Truth> traceTruth(const RayScene& scene, const TruthSettings& settings) {
+  return Tracing(scene, settings).run();
+}
+
+}  // namespace sb

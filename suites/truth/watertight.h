@@ -1,0 +1,80 @@
+// Does a ray meet a triangle? Watertight (the idea of Woop, Benthin, Wald, "Watertight Ray/Triangle
+// Intersection", JCGT 2013): the triangle is sheared into a space where the ray is the z axis, and
+// three edge functions tell whether the origin lies inside. Neighbours compute the same edge function
+// with opposite sign, so nothing falls between them. A ray through an edge itself meets one of the
+// two: on which side it counts as lying follows from the edge's direction alone, as rasterisers
+// decide it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace sb {
+
+/// A ray in a space sheared to it. Scalar: double, or float to see what precision does.
+template <class Scalar>
+struct ShearedRay {
+  using Vec = glm::vec<3, Scalar>;
+  Vec origin;
+  int kx, ky, kz;
+  Scalar sx, sy, sz;
+
+  ShearedRay(const Vec& o, const Vec& d) : origin(o) {
+    const Vec a = glm::abs(d);
+    kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+    kx = (kz + 1) % 3;
+    ky = (kx + 1) % 3;
+    sx = d[kx] / d[kz];
+    sy = d[ky] / d[kz];
+    sz = Scalar(1) / d[kz];
+  }
+};
+
+template <class Scalar>
+struct TriangleHit {
+  Scalar t;     ///< along the ray's direction
+  Scalar b, c;  ///< weights of the second and third vertex
+  bool front;   ///< seen from the side from which the vertices run counter-clockwise
+};
+
+template <class Scalar>
+std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
+                                             const std::array<glm::vec<3, Scalar>, 3>& triangle) {
+  Scalar x[3], y[3], z[3];
+  for (int i = 0; i < 3; ++i) {
+    const auto p = triangle[size_t(i)] - ray.origin;
+    z[i] = ray.sz * p[ray.kz];
+    x[i] = p[ray.kx] - ray.sx * p[ray.kz];
+    y[i] = p[ray.ky] - ray.sy * p[ray.kz];
+  }
+  // Edge i lies opposite to vertex i. a b - c d is exactly the negative of c d - a b.
+  Scalar e[3];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    e[i] = x[j] * y[k] - y[j] * x[k];
+  }
+  const bool negative = e[0] < 0 || e[1] < 0 || e[2] < 0;
+  if (negative && (e[0] > 0 || e[1] > 0 || e[2] > 0)) return {};
+  const Scalar sum = e[0] + e[1] + e[2];
+  if (sum == 0) return {};
+  for (int i = 0; i < 3; ++i) {
+    if (e[i] != 0) continue;
+    // Directed as if the triangle ran counter-clockwise, one of two neighbours sees it upward.
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Scalar dx = negative ? x[j] - x[k] : x[k] - x[j];
+    const Scalar dy = negative ? y[j] - y[k] : y[k] - y[j];
+    if (!(dy > 0 || (dy == 0 && dx < 0))) return {};
+  }
+  const Scalar inverse = Scalar(1) / sum;
+  TriangleHit<Scalar> hit;
+  hit.t = (e[0] * z[0] + e[1] * z[1] + e[2] * z[2]) * inverse;
+  hit.b = e[1] * inverse;
+  hit.c = e[2] * inverse;
+  // Shearing keeps the handedness of (kx, ky, kz); the ray looks along +z or -z of it.
+  hit.front = (sum < 0) == (ray.sz > 0);
+  return hit;
+}
+
+}  // namespace sb

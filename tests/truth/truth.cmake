@@ -1,0 +1,7 @@
+# The tracer needs no driver; that techniques agree with it does.
+target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/rays_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/texture_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/truth_cache_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/truth_surfaces_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/truth_test.cpp)
