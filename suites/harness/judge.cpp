@@ -6,7 +6,6 @@
 #include "reports/stats/stats.h"
 #include "suites/harness/certify.h"
 #include "suites/harness/verify.h"
-#include "suites/metrics/blame.h"
 #include "suites/metrics/error.h"
 #include "suites/metrics/error_map.h"
 #include "suites/truth/truth_cache.h"
@@ -14,9 +13,6 @@
 
 namespace sb {
 namespace {
-
-/// Visibility that differs by less has no edge between: textures vary smoothly.
-constexpr double kEdge = 1.0 / 64;
 
 report::Picture pictureOf(rhi::Extent2D size, const std::vector<float>& rgba) {
   return {size.width, size.height, rgba};
@@ -206,6 +202,28 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
   return moments;
 }
 
+ValueRange Judge::truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,
+                              const LookupReach& reach) {
+  // At silhouettes the rasteriser's pixel may show a neighbour's surface.
+  constexpr uint32_t kPixels = 2;
+  const Values truth = truthAt(light, layer);
+  ValueRange range{{1, 1, 1}, {0, 0, 0}};
+  auto add = [&](size_t channel, double low, double high) {
+    range.low[channel] = std::min(range.low[channel], float(low));
+    range.high[channel] = std::max(range.high[channel], float(high));
+  };
+  for (uint32_t j = y - std::min(y, kPixels); j <= std::min(y + kPixels, m_size.height - 1); ++j)
+    for (uint32_t i = x - std::min(x, kPixels); i <= std::min(x + kPixels, m_size.width - 1); ++i) {
+      const float* v = truth.data() + 4 * (size_t(j) * m_size.width + i);
+      for (size_t c = 0; c < 3 && v[3] == 1; ++c) add(c, double(v[c]), double(v[c]));
+    }
+  if (const auto point = tracer().pointAt(x, y, layer)) {
+    const Tracer::Range near = tracer().visibilityNear(light, *point, reach);
+    for (size_t c = 0; c < 3; ++c) add(c, near.low[int(c)], near.high[int(c)]);
+  }
+  return range;
+}
+
 void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
                   const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
                   PictureFiles& files) {
@@ -221,16 +239,11 @@ void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
                        .truth = truthAt(a.light, layer),
                        .mean = moments.empty() ? Values() : Values(moments[i][layer].mean()),
                        .variance = variance,
-                       // Without a map there is no resolution to blame.
-                       .edges = looksUp ? edgesAt(a.light, layer) : std::span<const uint8_t>(),
                        .surfaces = m_truth->surfaces[layer],
-                       .shadowEdgeNear = nullptr};
+                       .truthAround = nullptr};
       if (looksUp)
-        input.shadowEdgeNear = [&](uint32_t x, uint32_t y) {
-          const auto point = tracer().pointAt(x, y, layer);
-          if (!point) return true;  // a silhouette: the rasteriser shows another surface
-          const Tracer::Range range = tracer().visibilityNear(a.light, *point, reach);
-          return glm::any(glm::greaterThan(range.high - range.low, glm::dvec3(kEdge)));
+        input.truthAround = [&](uint32_t x, uint32_t y) {
+          return truthAround(a.light, layer, x, y, reach);
         };
       sum.add(input);
     }

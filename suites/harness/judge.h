@@ -11,6 +11,7 @@
 #include "reports/record.h"
 #include "suites/harness/cell.h"
 #include "suites/harness/subject.h"
+#include "suites/metrics/blame.h"
 #include "suites/metrics/noise.h"
 #include "suites/truth/tracer.h"
 
@@ -54,6 +55,9 @@ class Judge {
   std::vector<std::vector<SeedMoments>> judgeSeeds(Renderer& renderer, uint32_t seed,
                                                    const std::vector<Answer>& answers,
                                                    report::Record& record);
+  /// Least and greatest truth as far as a lookup reaches and in the pixels beside.
+  ValueRange truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,
+                         const LookupReach& reach);
   void blame(const Renderer& renderer, const std::vector<Answer>& answers,
              const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
              PictureFiles& files);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "suites/metrics/srgb.h"
 
@@ -10,6 +11,13 @@ namespace {
 
 /// Smaller errors are no reason to look for a shadow's edge.
 constexpr float kVisible = 1.0f / 255;
+/// A truth that varies less has no edge: textures vary smoothly.
+constexpr float kJump = 1.0f / 64;
+
+bool explains(const ValueRange& around, size_t channel, float value) {
+  const float low = around.low[channel], high = around.high[channel];
+  return high - low > kJump && value >= low - kVisible && value <= high + kVisible;
+}
 
 }  // namespace
 
@@ -52,15 +60,14 @@ void BlameSum::add(const BlameInput& in) {
     }
     m_values += 3;
     if (largest == 0) continue;
-    const bool edge = !in.edges.empty() && in.edges[p] != 0;
-    const bool resolution =
-        edge || (largest > kVisible && in.shadowEdgeNear &&
-                 in.shadowEdgeNear(uint32_t(p % m_width), uint32_t(p / m_width)));
+    std::optional<ValueRange> around;
+    if (in.truthAround && largest > kVisible)
+      around = in.truthAround(uint32_t(p % m_width), uint32_t(p / m_width));
     for (size_t c = 0; c < 3; ++c) {
-      const Cause cause = resolution               ? Cause::Resolution
-                          : in.surfaces[p] == 2    ? Cause::InnerLayer
-                          : error[c] < 0           ? Cause::SelfShadowing
-                                                   : Cause::Leaking;
+      const Cause cause = around && explains(*around, c, values[4 * p + c]) ? Cause::Resolution
+                          : in.surfaces[p] == 2                             ? Cause::InnerLayer
+                          : error[c] < 0                                    ? Cause::SelfShadowing
+                                                                            : Cause::Leaking;
       m_squares[p][size_t(cause)] += error[c] * error[c];
     }
   }

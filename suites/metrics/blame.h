@@ -2,8 +2,8 @@
 // squared error to exactly one cause, except that the variance over seeds of a stochastic technique
 // goes to noise first.
 //   noise           what the mean over seeds does not have
-//   resolution      a shadow edge of the truth lies within the lookup's reach, or the pixel is at an
-//                   edge of a surface: texels and filter cannot do better there
+//   resolution      the truth jumps within the lookup's reach or in the pixels beside, and the value
+//                   lies between what it is there: texels and filter cannot do better
 //   inner-layer     elsewhere, on a translucent receiver
 //   self-shadowing  elsewhere, darker than the truth
 //   leaking         elsewhere, lighter than the truth
@@ -21,17 +21,20 @@ enum class Cause : uint8_t { Noise, Resolution, InnerLayer, SelfShadowing, Leaki
 inline constexpr size_t kCauses = 5;
 const char* causeName(Cause cause);
 
+struct ValueRange {
+  std::array<float, 3> low, high;
+};
+
 /// One light at one layer.
 struct BlameInput {
   Values measured;              ///< of one seed; of the verified frame
   Values truth;
   Values mean;                  ///< over seeds; empty: not stochastic
   Values variance;              ///< over seeds, RGB; empty: not stochastic
-  std::span<const uint8_t> edges;     ///< as Truth::edges
   std::span<const uint8_t> surfaces;  ///< as Truth::surfaces of the layer
-  /// Does a shadow edge lie within the lookup's reach of a pixel? Asked only for pixels with an
-  /// error above 1/255 that are at no edge of `edges`. Null: no.
-  std::function<bool(uint32_t x, uint32_t y)> shadowEdgeNear;
+  /// Least and greatest truth around a pixel, as far as a lookup reaches. Asked only for pixels with
+  /// an error above 1/255. Null: there are no lookups, and no resolution to blame.
+  std::function<ValueRange(uint32_t x, uint32_t y)> truthAround;
 };
 
 class BlameSum {
