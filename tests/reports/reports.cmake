@@ -2,6 +2,7 @@
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/atomic_file_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/regression_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_run.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stats_test.cpp)
 find_package(nlohmann_json REQUIRED)
