@@ -46,7 +46,7 @@ size_t distinctX(const Logs& logs) {
 std::string factorText(double factor) {
   if (factor > 1000) return "over 1000";
   if (factor < 0.01) return "under 0.01";
-  return factor >= 9.95 ? fmt::format("{:.0f}", factor) : fmt::format("{:.2g}", factor);
+  return factor >= 9.95 ? fmt::format("{:.0f}", factor) : fmt::format("{:#.2g}", factor);
 }
 
 std::string counted(size_t n, const char* what) {
