@@ -1,6 +1,6 @@
-// What accuracy costs: points of (time, error), their Pareto front, and the tables that answer "what
-// do I get for this time" and "what do I pay for this error". Computed from records alone, so that a
-// report of an old file shows the same.
+// What accuracy costs: points of (time, error), their Pareto front, and the tables that answer
+// "what do I get for this time" and "what do I pay for this error". Computed from records alone, so
+// that a report of an old file shows the same.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,30 @@ namespace report {
 
 enum class ErrorKind : uint8_t { Visibility, Image };
 
-/// A cell's time and error with 95 % intervals.
+/// A cell's time and error with 95 % intervals, which hold the point itself also where the median
+/// that they are of lies beside it.
 struct TradePoint {
   const Record* record = nullptr;
-  double time = 0;  ///< milliseconds of the compared time: CPU on software devices, else GPU
-  Interval timeInterval;
-  double error = 0;  ///< RMSE
+  std::string technique;   ///< one of TradeOff::techniques
+  double time = 0;         ///< milliseconds of the compared time: CPU on software devices, else GPU
+  Interval timeInterval;   ///< of the median of the means of blocks
+  double error = 0;        ///< RMSE
   Interval errorInterval;  ///< over seeds; a point for what is not stochastic
   uint64_t bytes = 0;
-  bool front = false;      ///< no other point is as fast and as exact, and better in one
-  bool uncertain = false;  ///< on the front, but another dominates it within the intervals
+  bool front = false;  ///< no other point is as fast and as exact, and better in one
+  /// On the front, but there are values within the intervals of this point and of one other at
+  /// which that other is as fast and as exact at once, and better in one. So a neighbour that is
+  /// certainly slower or certainly less exact leaves a point certain.
+  bool uncertain = false;
 };
 
-/// Best error of a technique within a time, or least time within an error; absent when none is.
+/// Best error of a technique within a time, or least time within an error; null when none is.
 struct TableCell {
   std::string technique;
   const TradePoint* point = nullptr;
 };
 struct TableRow {
-  double limit = 0;  ///< a multiple of the baseline's time, or an RMSE
+  double limit = 0;              ///< a multiple of the baseline's time, or an RMSE
   std::vector<TableCell> cells;  ///< one a technique, in the order of TradeOff::techniques
 };
 
@@ -40,10 +45,10 @@ struct TableRow {
 struct Convergence {
   std::string technique;
   std::string knob;
-  std::string others;  ///< the other knobs of the series, "kernel:9", or ""
+  std::string others;  ///< the other knobs and the seed of the series, "kernel:9/seed:1", or ""
   double order = 0;
-  Interval interval;   ///< 95 %, of the slope's regression
-  uint32_t points = 0; ///< at least 3
+  Interval interval;    ///< 95 %, of the slope's regression
+  uint32_t points = 0;  ///< at least 3
 };
 
 /// "Halving the error costs x times the time", along a technique's own front.
@@ -53,23 +58,30 @@ struct Exchange {
   std::string text;              ///< one sentence for people
 };
 
-/// One scene at one size on one backend's device.
+/// One scene at one size on one backend's device. Moved, never copied: the tables point to
+/// `points`.
 struct TradeOff {
+  TradeOff() = default;
+  TradeOff(TradeOff&&) = default;
+  TradeOff& operator=(TradeOff&&) = default;
+
   std::string scene, backend, device;
   uint32_t width = 0, height = 0;
   ErrorKind kind = ErrorKind::Visibility;
-  std::string timeKey;              ///< "cpu_ms" or "frame_ms"
-  std::optional<double> baseline;   ///< time of `none`, milliseconds
-  std::vector<std::string> techniques;  ///< in order of appearance
-  std::vector<TradePoint> points;   ///< cells that are ok, not contaminated, and have an error
-  std::vector<TableRow> equalTime;  ///< 1, 2, 4, 8, 16 times the baseline; empty without one
-  std::vector<TableRow> equalError; ///< RMSE 1e-1, 3e-2, 1e-2, 3e-3
+  std::string timeKey;             ///< "cpu_ms" or "frame_ms"
+  std::optional<double> baseline;  ///< least time of `none`, with or without error; milliseconds
+  /// In order of appearance; "technique+transparency" where the points have several transparencies.
+  std::vector<std::string> techniques;
+  std::vector<TradePoint> points;    ///< cells that are ok, not contaminated, and have an error
+  std::vector<TableRow> equalTime;   ///< 1, 2, 4, 8, 16 times the baseline; empty without one
+  std::vector<TableRow> equalError;  ///< RMSE 1e-1, 3e-2, 1e-2, 3e-3
   std::vector<Convergence> orders;
   std::vector<Exchange> exchanges;
 };
 
-/// `run` must outlive the result. The `RayTraced` row (backend "cpu") joins every backend's points of
-/// its scene when the compared time is CPU time.
+/// `run` must outlive the result. The `RayTraced` row (backend "cpu") joins every backend's points
+/// of its scene and size when the compared time is CPU time; where there are none it stands alone.
 std::vector<TradeOff> tradeOffs(const Run& run, ErrorKind kind = ErrorKind::Visibility);
+std::vector<TradeOff> tradeOffs(Run&& run, ErrorKind kind = ErrorKind::Visibility) = delete;
 
 }  // namespace report

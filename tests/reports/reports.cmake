@@ -2,7 +2,12 @@
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/atomic_file_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/regression_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_run.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/stats_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/stats_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tradeoff_cells.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tradeoff_console_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tradeoff_fit_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tradeoff_test.cpp)
 find_package(nlohmann_json REQUIRED)
 target_link_libraries(unit_tests PRIVATE nlohmann_json::nlohmann_json)

@@ -1,0 +1,16 @@
+// The trade-offs between time and error as plain text: what `tradeOffs` found, one block a scene,
+// size and device.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/stats/tradeoff.h"
+
+namespace report {
+
+/// Points by time, the tables of equal time and equal error, orders and rates of exchange, with
+/// what to read them by. Empty for none. Never says "GPU" of a software device.
+std::string toTable(const std::vector<TradeOff>& tradeOffs);
+
+}  // namespace report

@@ -1,0 +1,141 @@
+// Which cells are compared with which, as points of (time, error), and the Pareto front among them.
+// Every pair of points is looked at: a run has hundreds, not millions.
+#include "reports/stats/tradeoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "reports/stats/tradeoff_parts.h"
+
+namespace report {
+namespace {
+
+constexpr const char* kBaseline = "none";
+constexpr const char* kTracer = "RayTraced";
+
+/// The tracer runs beside every backend: its time compares with any other CPU time.
+bool isTracer(const Record& r) { return r.technique == kTracer && r.backend == "cpu"; }
+
+bool comparesCpu(const Record& r) { return r.deviceType == "software"; }
+
+bool isTimed(const Record& r) {
+  const std::optional<Distribution>& time = comparesCpu(r) ? r.cpu : r.frame;
+  return r.status == Status::Ok && r.contamination.empty() && time && time->median > 0 &&
+         std::isfinite(time->median);
+}
+
+double timeOf(const Record& r) { return (comparesCpu(r) ? r.cpu : r.frame)->median; }
+
+std::optional<double> errorOf(const Record& r, ErrorKind kind) {
+  std::optional<double> error;
+  if (kind == ErrorKind::Visibility && r.visibility) error = r.visibility->all.rmse;
+  if (kind == ErrorKind::Image && r.image) error = r.image->all.rmse;
+  return error && std::isfinite(*error) ? error : std::nullopt;
+}
+
+Interval holding(double value, const Interval& interval) {
+  return {std::min(value, interval.low), std::max(value, interval.high)};
+}
+
+TradePoint pointOf(const Record& r, ErrorKind kind) {
+  TradePoint p;
+  p.record = &r;
+  p.technique = r.technique;
+  p.bytes = r.bytes;
+  p.time = timeOf(r);
+  p.timeInterval = {p.time, p.time};
+  std::vector<double> means;
+  for (const Block& b : r.blocks) means.push_back(comparesCpu(r) ? b.cpuMs : b.frameMs);
+  if (!means.empty()) p.timeInterval = holding(p.time, medianInterval(means));
+  p.error = *errorOf(r, kind);
+  p.errorInterval = {p.error, p.error};
+  if (kind == ErrorKind::Visibility && r.noise)
+    p.errorInterval = holding(p.error, {r.noise->rmseLow, r.noise->rmseHigh});
+  return p;
+}
+
+bool sameScene(const Record& r, const TradeOff& t) {
+  return std::tie(r.scene, r.width, r.height) == std::tie(t.scene, t.width, t.height);
+}
+
+bool belongs(const Record& r, const TradeOff& t) {
+  if (!sameScene(r, t)) return false;
+  if (isTracer(r) && comparesCpu(r) && t.timeKey == "cpu_ms") return true;
+  return r.backend == t.backend && r.device == t.device;
+}
+
+/// One for each group that has a point, without its points.
+std::vector<TradeOff> groups(const Run& run, ErrorKind kind) {
+  std::vector<TradeOff> result;
+  auto add = [&](const Record& r) {
+    if (!isTimed(r) || !errorOf(r, kind)) return;
+    if (std::ranges::any_of(result, [&](const TradeOff& t) { return belongs(r, t); })) return;
+    TradeOff t;
+    std::tie(t.scene, t.backend, t.device) = std::tie(r.scene, r.backend, r.device);
+    std::tie(t.width, t.height, t.kind) = std::tie(r.width, r.height, kind);
+    t.timeKey = comparesCpu(r) ? "cpu_ms" : "frame_ms";
+    result.push_back(std::move(t));
+  };
+  // The tracer last: it stands alone only where it can join nobody.
+  for (const Record& r : run.records)
+    if (!isTracer(r)) add(r);
+  for (const Record& r : run.records)
+    if (isTracer(r)) add(r);
+  return result;
+}
+
+void addPoints(TradeOff& t, const Run& run) {
+  std::set<std::string> transparencies;
+  for (const Record& r : run.records) {
+    if (!belongs(r, t) || !isTimed(r)) continue;
+    if (r.technique == kBaseline) t.baseline = std::min(timeOf(r), t.baseline.value_or(timeOf(r)));
+    if (!errorOf(r, t.kind)) continue;
+    t.points.push_back(pointOf(r, t.kind));
+    if (!r.transparency.empty()) transparencies.insert(r.transparency);
+  }
+  for (TradePoint& p : t.points) {
+    const std::string& transparency = p.record->transparency;
+    if (transparencies.size() > 1 && !transparency.empty()) p.technique += "+" + transparency;
+    if (std::ranges::find(t.techniques, p.technique) == t.techniques.end())
+      t.techniques.push_back(p.technique);
+  }
+}
+
+/// Are there values within the intervals of both at which `a` dominates `b`? The best of `a`
+/// against the worst of `b` decides.
+bool mayDominate(const TradePoint& a, const TradePoint& b) {
+  const double time = b.timeInterval.high - a.timeInterval.low;
+  const double error = b.errorInterval.high - a.errorInterval.low;
+  return time >= 0 && error >= 0 && (time > 0 || error > 0);
+}
+
+}  // namespace
+
+bool dominates(const TradePoint& a, const TradePoint& b) {
+  return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+}
+
+void markFront(std::vector<TradePoint>& points) {
+  for (TradePoint& p : points) {
+    p.front = std::ranges::none_of(points, [&](const TradePoint& o) { return dominates(o, p); });
+    p.uncertain = p.front && std::ranges::any_of(points, [&](const TradePoint& o) {
+                    return &o != &p && mayDominate(o, p);
+                  });
+  }
+}
+
+std::vector<TradeOff> tradeOffs(const Run& run, ErrorKind kind) {
+  std::vector<TradeOff> result = groups(run, kind);
+  for (TradeOff& t : result) {
+    addPoints(t, run);
+    markFront(t.points);
+    fillTables(t);
+    fitOrders(t);
+    fitExchanges(t);
+  }
+  return result;
+}
+
+}  // namespace report
