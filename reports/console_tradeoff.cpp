@@ -1,3 +1,6 @@
+// Every part of a block is a table of its own, aligned for itself: techniques and cells are few,
+// and columns shared between parts would be as wide as the widest. Text counts as it is seen, not
+// in bytes.
 #include "reports/console_tradeoff.h"
 
 #include <fmt/format.h>
@@ -21,7 +24,7 @@ std::string interval(const Interval& i, auto text) {
   return fmt::format("[{},{}]", text(i.low), text(i.high));
 }
 
-/// UTF-8: what is seen, not bytes.
+/// Characters of UTF-8 text.
 size_t seen(const std::string& text) {
   return size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }

@@ -1,5 +1,6 @@
 // The trade-offs between time and error as plain text: what `tradeOffs` found, one block a scene,
-// size and device.
+// size and device. Times have two decimals as in the table of cells, errors three digits wherever
+// they lie.
 #pragma once
 
 #include <string>

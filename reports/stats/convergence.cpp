@@ -1,5 +1,6 @@
 // Orders of convergence and rates of exchange: slopes of logarithms over logarithms, so that a
-// power law is a straight line. Points without error have no logarithm and are left out.
+// power law is a straight line. Points without error have no logarithm and are left out. A series
+// is cells that differ in one knob alone; with few points the intervals are wide, and say so.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Which cells are compared with which, as points of (time, error), and the Pareto front among them.
-// Every pair of points is looked at: a run has hundreds, not millions.
+// A cell is left out rather than guessed at: without a time, an error or an undisturbed run it is
+// no point. Every pair of points is looked at: a run has hundreds, not millions.
 #include "reports/stats/tradeoff.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// The steps that fill a TradeOff once it has its points, for tradeoff.cpp alone. Each needs what
-// the steps before it filled.
+// The steps that fill a TradeOff once it has its points, its techniques and its baseline; for the
+// files that compute trade-offs alone. `points` must not change after fillTables, whose rows point
+// into it.
 #pragma once
 
 #include <vector>

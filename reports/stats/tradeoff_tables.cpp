@@ -1,7 +1,7 @@
 // "What do I get for this time" and "what do I pay for this error": of every technique its best
-// cell within each limit.
+// cell within each limit. Limits are the same in every report, so that tables of different runs
+// compare; nothing is interpolated between cells, as a cell that nobody ran has no error.
 #include <algorithm>
-#include <span>
 #include <tuple>
 
 #include "reports/stats/tradeoff_parts.h"

@@ -1,4 +1,6 @@
-// Slopes and their intervals against textbook values.
+// Slopes and their intervals: Student's t against the printed table, a line without scatter, and
+// the smallest regression that has an interval, worked out by hand. The last is also what the tests
+// of orders and rates of exchange build on.
 #include "reports/stats/regression.h"
 
 #include <gtest/gtest.h>

@@ -18,7 +18,6 @@ Record cell(const std::string& technique, double time, double error, const std::
     r.name += "/size:" + size;
   }
   r.cpu = Distribution{.median = time, .n = 1};
-  // Twice as long on the clock, so that the two cannot be taken for each other.
   r.frame = Distribution{.median = 2 * time, .n = 1};
   r.visibility = VisibilityError{};
   r.visibility->all.rmse = error;

@@ -1,4 +1,7 @@
-// Cells made by hand for tests of trade-offs.
+// Cells made by hand for tests of trade-offs: one scene, size and device, so that a test changes
+// only what it is about. All on a software device unless the test says otherwise; the image's error
+// is half that of visibility, and frames take twice the CPU time, so that none can be taken for
+// another.
 #pragma once
 
 #include <string>
@@ -8,7 +11,7 @@
 
 namespace report {
 
-/// On a software device: its CPU time compares. No blocks, so the time's interval is a point.
+/// Its CPU time compares. No blocks, so the time's interval is a point.
 Record cell(const std::string& technique, double time, double error, const std::string& size = "");
 /// The tracer's cell, error 0, on the same scene.
 Record tracer(double time);

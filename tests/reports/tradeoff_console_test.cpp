@@ -1,4 +1,6 @@
-// The exact text of the trade-offs on the console.
+// The exact text of the trade-offs on the console. After a change that is meant, replace the text
+// here by what the failed test shows, and read the difference: the figures of the sweep are checked
+// against values by hand in the other tests.
 #include <gtest/gtest.h>
 
 #include "reports/console_tradeoff.h"

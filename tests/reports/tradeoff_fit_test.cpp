@@ -1,4 +1,6 @@
-// Orders of convergence and rates of exchange, from powers of two worked out by hand.
+// Orders of convergence and rates of exchange. Times, errors and knobs are powers of two, so that
+// their logarithms are whole and the slopes, and Student's t at one degree of freedom, can be
+// worked out by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,6 +110,8 @@ TEST(Exchange, IsAbsentWithTheReason) {
             "A: no rate of exchange, 2 cells with error; 3 are needed");
   EXPECT_EQ(text({cell("A", 1, 0.25), cell("A", 2, 0.5), cell("A", 3, 0.75)}),
             "A: no rate of exchange, 1 of 3 cells with error on its own front; 3 are needed");
+  EXPECT_EQ(text({cell("A", 1, 0.25), cell("A", 2, 0.125), cell("A", 3, 0.75)}),
+            "A: no rate of exchange, 2 of 3 cells with error on its own front; 3 are needed");
   EXPECT_EQ(text({cell("A", 1, 0.25), cell("A", 1, 0.25), cell("A", 1, 0.25)}),
             "A: no rate of exchange, 1 of 3 cells with error on its own front; 3 are needed")
       << "the same point thrice";
