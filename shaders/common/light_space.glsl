@@ -15,6 +15,10 @@ layout(constant_id = 18) const bool kTent = false;  // tent instead of box weigh
 #define BIAS_TAN_MAX 10.0
 // Of a constant bias, in texels at 45 degrees.
 #define BIAS_CONSTANT_TEXELS 1.5
+// Curved surfaces leave the receiver's plane within a wide filter: allowance for each texel that the
+// filter reaches beyond its centre, in texels at 45 degrees. From the error against the truth on
+// draped cloth (9x9: RMSE of visibility 0.38 without, 0.14 with; flat scenes are the same).
+#define BIAS_CURVATURE_TEXELS 0.5
 
 struct LightSample {
   bool inside;    // in the map's volume: else the receiver is lit
@@ -75,13 +79,13 @@ LightSample lightSample(uint light, Receiver r) {
   // Quantisation of the map, and the 1/256-texel grid that rasterisers snap vertices to.
   s.bias = 2.0 * view.texel.y + rounding + slope * (1.0 / 64.0);
   s.gradient = vec2(0);
-  if (kBias == BIAS_PLANE) s.gradient = gradient;
-  if (kBias == BIAS_SLOPE) s.bias += slope * radius;
-  if (kBias == BIAS_CONSTANT) {
-    // Slope of a plane at 45 degrees: the same for every receiver.
-    float unit = tangent > 0.0 ? slope / tangent : 0.0;
-    s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
+  float unit = tangent > 0.0 ? slope / tangent : 0.0;  // slope of a plane at 45 degrees
+  if (kBias == BIAS_PLANE) {
+    s.gradient = gradient;
+    s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;
   }
+  if (kBias == BIAS_SLOPE) s.bias += slope * radius;
+  if (kBias == BIAS_CONSTANT) s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
   return s;
 }
 

@@ -125,7 +125,7 @@ bool RayScene::reaches(uint32_t light, const Tracer::Point& point) const {
 }
 
 dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
-                           std::vector<TruthHit>& scratch) const {
+                           std::vector<TruthHit>& scratch, double ownNear) const {
   // Surfaces in the receiver's own plane neither shadow it nor are shadowed by it. Spec 16 has
   // 1e-6 max(1, |p|); scenes smaller than 1 take their own size for the 1 (spec 17, G2).
   const double nearest = 1e-6 * std::max(std::min(1.0, m_reach), glm::length(point.position));
@@ -139,8 +139,11 @@ dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
     ray.tMax = 1 - 1e-9;
   }
   bool blocked = false;
+  const double own = ownNear / glm::length(ray.direction);
   const Bvh::Judge judge = [&](const TruthHit& hit) {
-    if (hit.triangle == point.triangle) return Bvh::Verdict::Ignore;
+    if (hit.triangle == point.triangle ||
+        (hit.t < own && m_triangles[hit.triangle].instance == point.instance))
+      return Bvh::Verdict::Ignore;
     const Surface at = surface(hit);
     const bool blocks =
         at.traits().blocks ||

@@ -23,9 +23,10 @@ class RayScene {
   void cameraHits(double x, double y, CameraHits& out) const;
   Tracer::Point point(double x, double y, const TruthHit& hit) const;
 
-  /// Product of what each surface between lets through; 0 at the first opaque one.
-  glm::dvec3 visibility(uint32_t light, const Tracer::Point& point,
-                        std::vector<TruthHit>& scratch) const;
+  /// Product of what each surface between lets through; 0 at the first opaque one. `ownNear`: the
+  /// receiver's own instance does not count within that distance.
+  glm::dvec3 visibility(uint32_t light, const Tracer::Point& point, std::vector<TruthHit>& scratch,
+                        double ownNear = 0) const;
   /// Does the light reach the side of the surface that the viewer sees?
   bool reaches(uint32_t light, const Tracer::Point& point) const;
   gpu::Illumination illumination(uint32_t light, const Tracer::Point& point) const;

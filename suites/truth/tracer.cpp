@@ -133,7 +133,8 @@ Tracer::Range Tracer::visibilityNear(uint32_t light, const Point& point,
     const double most = steepest * glm::length(offset);
     Point at = point;
     at.position += offset + toLight * std::min(std::max(along, -most), most);
-    const dvec3 v = rays.visibility(light, at, scratch);
+    // The receiver's own surface bends away from its plane: that is no shadow's edge.
+    const dvec3 v = rays.visibility(light, at, scratch, 4 * width);
     range.low = glm::min(range.low, v);
     range.high = glm::max(range.high, v);
   };
