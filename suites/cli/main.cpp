@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
         return sb::sceneCommand(*options);
       case sb::Command::Doctor:
         return sb::doctorCommand(*options);
+      case sb::Command::Report:
+        return sb::reportCommand(*options);
     }
   } catch (const sb::InputError& e) {
     std::fprintf(stderr, "bench: %s\n", e.what());

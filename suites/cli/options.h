@@ -10,7 +10,7 @@
 
 namespace sb {
 
-enum class Command : uint8_t { Measure, Render, Scene, Doctor };
+enum class Command : uint8_t { Measure, Render, Scene, Doctor, Report };
 
 struct Options {
   Command command = Command::Measure;
@@ -33,6 +33,10 @@ struct Options {
   std::string sceneName;
   bool sceneJson = false;
   std::string exportFile;
+  // report
+  std::string reportFile;  ///< JSON to read
+  std::string htmlFile;    ///< empty: beside the JSON
+  std::string pictureFolder;
 };
 
 /// Throws InputError for wrong arguments. When help or the version was asked for, prints it and
