@@ -9,18 +9,22 @@
 namespace report {
 namespace {
 
+/// The interval below its value keeps columns narrow.
+TableEntry over(double value, double low, double high) {
+  return {.html = figure(value) + "<small>[" + figure(low) + ", " + figure(high) + "]</small>",
+          .value = value};
+}
+
 TableEntry timeEntry(const Record& r, const TradePoint* point) {
   const auto& time = comparedTime(r);
   if (!time) return absentEntry(whyOf(r, timeKeyOf(r)));
   if (!point) return numberEntry(time->median);
-  return {.html = withInterval(point->time, point->timeInterval.low, point->timeInterval.high),
-          .value = point->time};
+  return over(point->time, point->timeInterval.low, point->timeInterval.high);
 }
 
 TableEntry baselineEntry(const Record& r) {
   for (const Ratio& x : r.ratios)
-    if (x.kind == "baseline")
-      return {.html = withInterval(x.value, x.low, x.high), .value = x.value};
+    if (x.kind == "baseline") return over(x.value, x.low, x.high);
   return absentEntry(whyOf(r, "ratios"));
 }
 
@@ -28,8 +32,7 @@ TableEntry errorEntry(const std::optional<double>& error, const TradePoint* poin
                       const std::string& why) {
   if (!error) return absentEntry(why);
   if (!point || point->errorInterval.low >= point->errorInterval.high) return numberEntry(error);
-  return {.html = withInterval(*error, point->errorInterval.low, point->errorInterval.high),
-          .value = error};
+  return over(*error, point->errorInterval.low, point->errorInterval.high);
 }
 
 std::string frontText(const TradePoint* point) {
@@ -78,9 +81,9 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
   std::vector<TableColumn> columns = cellColumns();
   columns.insert(
       columns.end(),
-      {{part.timeName() + ", ms [95 %]", true, "median and its 95 % interval"},
-       {"± ", true, "half width of the 95 % interval of the median"},
-       {"× none [95 %]", true, "time over that of the same cell without shadows"},
+      {{part.timeKey == "cpu_ms" ? "CPU ms" : "Frame ms", true, part.timeName() + ", median and its 95 % interval"},
+       {"±", true, "half width of the 95 % interval of the median"},
+       {"× none", true, "time over that of the same cell without shadows"},
        {"Visibility RMSE", true, "against the ray-traced truth, over all lights and layers"},
        {"Bias", true, "mean signed error of the visibility: positive is too light"},
        {"99.9 %", true, "99.9th percentile over pixels of the visibility's largest absolute error"},
@@ -121,7 +124,7 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
     line.cells.insert(line.cells.end(), std::begin(more), std::end(more));
     lines.push_back(std::move(line));
   }
-  return tableHtml("All cells of " + part.title(), columns, lines, "cells");
+  return tableHtml("Figures of each cell of " + part.title() + ", 95 % intervals in brackets", columns, lines, "cells");
 }
 
 }  // namespace report

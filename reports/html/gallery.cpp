@@ -57,6 +57,7 @@ std::string shares(const Record& r, const HtmlSettings& s) {
   std::string bar, words;
   for (const auto& [cause, share] : r.blame->shares) {
     const std::string color = colorOf(s, cause);
+    if (share <= 0) continue;
     bar += fmt::format("<span style=\"width:{:.2f}%{}\"></span>", 100 * share,
                        color.empty() ? "" : ";background:" + color);
     words += "<span class=\"share\">" + swatch(color) + escaped(cause) + " " +
@@ -70,14 +71,23 @@ std::string figureHtml(const std::string& picture, const std::string& caption) {
   return "<figure>" + picture + "<figcaption>" + caption + "</figcaption></figure>\n";
 }
 
-std::string card(const PageModel& model, const Record& r, const HtmlSettings& settings,
-                 PictureSet& pictures) {
+/// One card for the backends that gave the very same pictures.
+std::string card(const PageModel& model, const std::vector<const Record*>& same,
+                 const HtmlSettings& settings, PictureSet& pictures) {
+  const Record& r = *same.front();
   const std::string variant = variantOf(r);
-  const std::string label =
-      techniqueOf(r) + ", " + r.backend + (variant.empty() ? "" : ", " + variant);
-  std::string out = "<article class=\"card\"" + filterAttributes(techniqueOf(r), r.backend) +
-                    " data-cell=\"" + std::to_string(model.indexOf(r)) + "\">\n<h4>" +
-                    model.techniqueHtml(techniqueOf(r)) + " " + model.backendHtml(r.backend) +
+  std::string backends, label = techniqueOf(r);
+  Json names = Json::array();
+  for (const Record* other : same) {
+    backends += " " + model.backendHtml(other->backend);
+    label += ", " + other->backend;
+    names.push_back(other->backend);
+  }
+  if (!variant.empty()) label += ", " + variant;
+  std::string out = "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") +
+                    " data-backends=\"" + escaped(names.dump(-1, ' ', true, Json::error_handler_t::replace)) + "\" data-cell=\"" +
+                    std::to_string(model.indexOf(r)) + "\">\n<h4>" +
+                    model.techniqueHtml(techniqueOf(r)) + backends +
                     (variant.empty() ? "" : " <small>" + escaped(variant) + "</small>") +
                     "</h4>\n<div class=\"pictures\">\n";
   out += figureHtml(pictures.html(r, "image", "Picture of " + label),
@@ -94,6 +104,7 @@ std::string galleryHtml(const PageModel& model, const ScenePart& part, const Htm
                         PictureSet& pictures) {
   std::string cards, truths;
   std::vector<std::string> seen;
+  std::vector<std::vector<const Record*>> groups;
   for (size_t index : part.cells) {
     const Record& r = model.run.records[index];
     if (r.pictures.empty()) continue;
@@ -107,8 +118,16 @@ std::string galleryHtml(const PageModel& model, const ScenePart& part, const Htm
                 figureHtml(pictures.html(r, "truth", "Truth of " + part.title()), caption) +
                 "</div></article>\n";
     }
-    cards += card(model, r, settings, pictures);
+    const auto group = std::ranges::find_if(groups, [&](const auto& g) {
+      return techniqueOf(*g.front()) == techniqueOf(r) && variantOf(*g.front()) == variantOf(r) &&
+             g.front()->pictures == r.pictures;
+    });
+    if (group == groups.end())
+      groups.push_back({&r});
+    else
+      group->push_back(&r);
   }
+  for (const auto& group : groups) cards += card(model, group, settings, pictures);
   if (cards.empty()) return "";
   return "<h3>Pictures</h3>\n" + legends(settings) + "<div class=\"gallery\">\n" + truths + cards +
          "</div>\n";

@@ -138,7 +138,7 @@ std::string choice(const std::string& name, const std::string& value, const std:
 }  // namespace
 
 std::string overviewHtml(const PageModel& model, const Names& notes) {
-  std::string out = "<h1>What shadows cost, and how wrong they are</h1>\n" + notices(model, notes) +
+  std::string out = "<p class=\"eyebrow\">ShadowBench report</p>\n<h1>What shadows cost, and how wrong they are</h1>\n" + notices(model, notes) +
                     facts(model) + "<nav aria-label=\"Scenes\"><ul>\n";
   for (const ScenePart& part : model.parts)
     out += "<li data-scene=\"" + escaped(part.scene) + "\"><a href=\"#" + part.id + "\">" +

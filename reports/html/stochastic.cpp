@@ -73,7 +73,7 @@ std::string stochasticTable(const PageModel& model, const ScenePart& part) {
                   {"Bias of the mean", true},
                   {"RMSE of one seed [95 %]", true},
                   {"Is it unbiased?", false, "exact binomial tests of regions with one expectation"}});
-  return tableHtml("Noise and certificate of stochastic techniques", columns, lines, "prose");
+  return tableHtml("Stochastic techniques over seeds, and whether their mean is the truth", columns, lines, "prose");
 }
 
 }  // namespace report

@@ -26,7 +26,8 @@ const TradePoint* pointFor(const TableRow& row, const std::string& technique) {
 std::string limitTable(const PageModel& model, const std::vector<const TradeOff*>& all,
                        const std::string& caption, const std::string& first,
                        std::vector<TableRow> TradeOff::*rows, double TradePoint::*value,
-                       double TradePoint::*other, const char* otherUnit,
+                       double TradePoint::*other, const char* otherBefore,
+                       const char* otherAfter,
                        std::string (*limit)(const TradeOff&, double)) {
   const auto techniques = techniquesOf(all);
   std::vector<TableColumn> columns = {{first}, {"Backend"}};
@@ -35,7 +36,7 @@ std::string limitTable(const PageModel& model, const std::vector<const TradeOff*
   for (const TradeOff* t : all)
     for (const TableRow& row : t->*rows) {
       TableLine line{.backend = t->backend,
-                     .cells = {{.html = escaped(limit(*t, row.limit)), .value = row.limit},
+                     .cells = {{.html = limit(*t, row.limit), .value = row.limit},
                                {.html = model.backendHtml(t->backend)}}};
       const TradePoint* best = nullptr;
       for (const TableCell& c : row.cells)
@@ -49,8 +50,8 @@ std::string limitTable(const PageModel& model, const std::vector<const TradeOff*
         const std::string text = figure(p->*value), variant = variantOf(*p->record);
         line.cells.push_back(
             {.html = (p->*value <= best->*value ? "<strong>" + text + "</strong>" : text) +
-                     "<small>" + escaped(variant.empty() ? "default" : variant) + "<br>" +
-                     figure(p->*other) + otherUnit + "</small>",
+                     "<small>" + escaped(variant.empty() ? "default" : variant) + " · " +
+                     otherBefore + figure(p->*other) + otherAfter + "</small>",
              .value = p->*value,
              .technique = name});
       }
@@ -60,7 +61,7 @@ std::string limitTable(const PageModel& model, const std::vector<const TradeOff*
 }
 
 std::string timeLimit(const TradeOff& t, double limit) {
-  return figure(limit) + " × none (" + figure(limit * t.baseline.value_or(0)) + " ms)";
+  return figure(limit) + " × none<small>" + figure(limit * t.baseline.value_or(0)) + " ms</small>";
 }
 
 std::string errorLimit(const TradeOff&, double limit) { return "RMSE " + figure(limit); }
@@ -97,7 +98,8 @@ std::string exchanges(const PageModel& model, const std::vector<const TradeOff*>
                        .backend = t->backend,
                        .cells = {{.html = model.techniqueHtml(e.technique)},
                                  {.html = model.backendHtml(t->backend)},
-                                 {.html = escaped(e.text), .value = e.factor}}});
+                                 {.html = escaped(e.text), .value = e.factor}},
+                       .muted = !e.factor});
   if (lines.empty()) return "";
   return tableHtml("What less error costs, along each technique's own front",
                    {{"Technique"}, {"Backend"}, {"Exchange"}}, lines, "prose");
@@ -111,9 +113,10 @@ std::string tradeTables(const PageModel& model, const ScenePart& part, ErrorKind
   const std::string name = visibility ? "visibility RMSE" : "image RMSE";
   const std::string tables =
       limitTable(model, all, "Equal time: least " + name + " within a time", "Within",
-                 &TradeOff::equalTime, &TradePoint::error, &TradePoint::time, " ms", timeLimit) +
+                 &TradeOff::equalTime, &TradePoint::error, &TradePoint::time, "", " ms", timeLimit) +
       limitTable(model, all, "Equal error: least time in ms within a " + name, "At most",
-                 &TradeOff::equalError, &TradePoint::time, &TradePoint::error, " RMSE", errorLimit) +
+                 &TradeOff::equalError, &TradePoint::time, &TradePoint::error, "RMSE ", "",
+                 errorLimit) +
       exchanges(model, all) + orders(model, all);
   if (tables.empty()) return "";
   return "<div class=\"pair\" data-kind=\"" + std::string(visibility ? "visibility" : "image") +

@@ -1,6 +1,6 @@
 // What is shown: every element that says which technique, backend, scene or kind of error it is of
 // is hidden unless all that it says is chosen.
-const kFiltered = '[data-technique], [data-backend], [data-scene], [data-kind]';
+const kFiltered = '[data-technique], [data-backend], [data-backends], [data-scene], [data-kind]';
 
 function readFilters(form) {
   const checked = (name) => new Set(
@@ -11,9 +11,10 @@ function readFilters(form) {
   };
 }
 
-function passes(filters, { technique, backend, scene, kind }) {
+function passes(filters, { technique, backend, backends, scene, kind }) {
   return (technique === undefined || filters.technique.has(technique)) &&
     (backend === undefined || filters.backend.has(backend)) &&
+    (backends === undefined || JSON.parse(backends).some((name) => filters.backend.has(name))) &&
     (kind === undefined || filters.kind.has(kind)) &&
     (scene === undefined || !filters.scene || filters.scene === scene);
 }

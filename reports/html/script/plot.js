@@ -69,11 +69,11 @@ function frontMarks() {
 function intervalMarks() {
   const style = { stroke: { field: 'color' }, strokeWidth: { value: 1.25 }, opacity: { value: 0.75 } };
   return [{
-    type: 'rule', name: 'time-interval', from: { data: 'points' }, interactive: false,
+    type: 'rule', name: 'time-interval', from: { data: 'rows' }, interactive: false,
     encode: { update: {
       x: { scale: 'x', field: 'fast' }, x2: { scale: 'x', field: 'slow' }, y: kPosition.y, ...style } },
   }, {
-    type: 'rule', name: 'error-interval', from: { data: 'points' }, interactive: false,
+    type: 'rule', name: 'error-interval', from: { data: 'rows' }, interactive: false,
     encode: { update: {
       x: kPosition.x,
       y: [{ test: 'datum.zero', signal: 'zero' }, { scale: 'y', field: 'least' }],
@@ -81,11 +81,11 @@ function intervalMarks() {
   }];
 }
 
-function pointMarks() {
+function pointMarks(width) {
   return {
-    type: 'symbol', name: 'points', from: { data: 'points' }, interactive: false,
+    type: 'symbol', name: 'points', from: { data: 'rows' }, interactive: false,
     encode: { update: {
-      ...kPosition, shape: { field: 'shape' }, size: { value: 110 },
+      ...kPosition, shape: { field: 'shape' }, size: { value: width < 500 ? 64 : 110 },
       fill: [{ test: "datum.state === 'uncertain'", value: color('paper') }, { field: 'color' }],
       fillOpacity: [{ test: "datum.state === 'off'", value: 0.35 }, { value: 1 }],
       stroke: { field: 'color' },
@@ -107,8 +107,8 @@ function bandMarks() {
   }, {
     type: 'text', interactive: false,
     encode: { update: {
-      x: { signal: 'width - 6' }, y: { signal: 'zero' }, text: { value: 'no error' },
-      align: { value: 'right' }, baseline: { value: 'middle' }, fill: { value: color('quiet') },
+      x: { value: 8 }, y: { signal: 'zero' }, text: { value: 'no error' },
+      align: { value: 'left' }, baseline: { value: 'middle' }, fill: { value: color('quiet') },
       fontSize: { value: 12 } } },
   }];
 }
@@ -132,13 +132,13 @@ async function drawPlot(container, { rows, fronts, width, height, timeTitle, err
     width, height, padding: 4, autosize: { type: 'fit', contains: 'padding' },
     config: { text: { font }, axis: { labelFont: font, titleFont: font } },
     signals: [{ name: 'zero', update: `height - ${kBand / 2 - 2}` }],
-    data: [{ name: 'points', values: rows }, { name: 'fronts', values: fronts }],
+    data: [{ name: 'rows', values: rows }, { name: 'fronts', values: fronts }],
     scales: [
       { name: 'x', type: 'log', domain: x, range: 'width', nice: false },
       { name: 'y', type: 'log', domain: y, range: [{ signal: `height - ${band}` }, 0], nice: false },
     ],
     axes: [axis('bottom', 'x', x, timeTitle), axis('left', 'y', y, errorTitle)],
-    marks: [...(band ? bandMarks() : []), frontMarks(), ...intervalMarks(), pointMarks()],
+    marks: [...(band ? bandMarks() : []), frontMarks(), ...intervalMarks(), pointMarks(width)],
   };
   // The interpreter instead of generated code: the page's policy allows no eval.
   const runtime = vegaLibrary('vega-parser').parse(spec, {}, { ast: true });

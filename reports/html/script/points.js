@@ -3,7 +3,7 @@
 const kReach = 28;
 
 function placesOf(view, rows) {
-  const [left, top] = view.origin();
+  const [left, top] = view.origin().map((v) => v + view.padding().left);
   const x = view.scale('x');
   const y = view.scale('y');
   const zero = view.signal('zero');
