@@ -11,7 +11,9 @@ packages=(
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
   libstb-dev libtinyexr-dev libtinygltf-dev nlohmann-json3-dev
+  libjs-vega # draws the report's plots
   libbenchmark-tools python3-scipy # compare.py, and the tests that run it
+  chromium chromium-driver python3-selenium # the tests of the report's page
 )
 
 say() { printf '%s\n' "$*" >&2; }

@@ -117,7 +117,7 @@ def cell(technique, backend, scene, variant, ms, rmse, pictures, noisy=False):
         "nonfinite": 0, "stable": True, "cross_backend_max_255": 1, "cross_backend_over_1_255": 0,
         "picture": pictures.get("image", ""), "visibility_layers": [],
         "visibility": {**stats(rmse), "interior": stats(rmse / 4)},
-        "image": {**stats(rmse * 0.4), "relmse": rmse * 0.5, "flip": rmse * 0.6,
+        "image": {**stats(0.4 * rmse ** 0.8), "relmse": rmse * 0.5, "flip": rmse * 0.6,
                   "interior": {**stats(rmse * 0.1), "relmse": rmse * 0.1, "flip": rmse * 0.1}},
         "noise": None, "noise_why": "not stochastic", "certificate": None,
         "certificate_why": "not stochastic",
