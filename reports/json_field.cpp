@@ -76,9 +76,9 @@ double Field::number() const {
   return value;
 }
 
-uint64_t Field::integerWithin(double most) const {
-  const std::string expected = "a whole number of 0 to " + Json(uint64_t(most)).dump();
-  if (!m_value->is_number_unsigned() || double(m_value->get<uint64_t>()) > most) refuse(expected);
+uint64_t Field::integerWithin(uint64_t most) const {
+  const std::string expected = "a whole number of 0 to " + std::to_string(most);
+  if (!m_value->is_number_unsigned() || m_value->get<uint64_t>() > most) refuse(expected);
   return m_value->get<uint64_t>();
 }
 

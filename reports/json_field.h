@@ -31,7 +31,7 @@ class Field {
   double number() const;
   template <class T>
   T integer() const {
-    return T(integerWithin(double(std::numeric_limits<T>::max())));
+    return T(integerWithin(std::numeric_limits<T>::max()));
   }
   int signedInteger() const;
 
@@ -42,7 +42,7 @@ class Field {
   Field(const Json& value, const std::string& file, std::string path)
       : m_value(&value), m_file(&file), m_path(std::move(path)) {}
   void requireObject() const;
-  uint64_t integerWithin(double most) const;
+  uint64_t integerWithin(uint64_t most) const;
   std::string child(const std::string& key) const;
 
   const Json* m_value;
