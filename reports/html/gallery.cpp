@@ -30,13 +30,12 @@ const std::pair<const char*, const char*> kCauses[] = {
     {"leaking", "elsewhere, lighter than the truth"}};
 
 std::string legends(const HtmlSettings& s) {
+  const std::string least = s.errorLeast == 1.0 / 1024 ? "1/1024" : figure(s.errorLeast);
   std::string out = "<div class=\"legends\">\n<p class=\"scale-legend\">Error map: largest channel, ";
   if (s.errorScale.empty()) {
-    out += "from dark (" + figure(s.errorLeast) + ") to bright (" + figure(s.errorMost) +
-           "), logarithmic";
+    out += "from dark (" + least + ") to bright (" + figure(s.errorMost) + "), logarithmic";
   } else {
-    out += "logarithmic <span class=\"ends\">" +
-           (s.errorLeast == 1.0 / 1024 ? std::string("1/1024") : figure(s.errorLeast)) +
+    out += "logarithmic <span class=\"ends\">" + least +
            "</span><span class=\"scale\" style=\"background:linear-gradient(to right";
     for (const Rgb8& c : s.errorScale) out += "," + css(c);
     out += ")\"></span><span class=\"ends\">" + figure(s.errorMost) + "</span>";

@@ -39,7 +39,8 @@ TableEntry verdict(const Record& r) {
   std::string html = c.unbiased ? "<strong class=\"good\">unbiased</strong>"
                                 : "<strong class=\"bad\">biased</strong>";
   html += ": " + counted(c.regions.size(), "region", "regions") + " tested, " +
-          std::to_string(refused) + " refused, family-wise error " + figure(c.familyWiseError);
+          std::to_string(refused) + " refused, <span class=\"unbroken\">family-wise error " + figure(c.familyWiseError) +
+          "</span>";
   return {.html = html + worstRegions(c), .value = double(refused)};
 }
 

@@ -16,7 +16,7 @@ std::string header(const TableColumn& c) {
 
 std::string cell(const TableEntry& e, const TableColumn& column, bool first) {
   std::string out = first ? "<th scope=\"row\"" : "<td";
-  if (column.number) out += " class=\"number\"";
+  if (column.number) out += " class=\"number\" data-label=\"" + escaped(column.title) + "\"";
   if (e.value) out += fmt::format(" data-value=\"{}\"", *e.value);
   out += filterAttributes(e.technique, "") + ">" + e.html;
   return out + (first ? "</th>" : "</td>");
@@ -34,8 +34,8 @@ std::string filterAttributes(const std::string& technique, const std::string& ba
 std::string tableHtml(const std::string& caption, const std::vector<TableColumn>& columns,
                       const std::vector<TableLine>& lines, const std::string& style) {
   std::string out = "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" +
-                    escaped(caption) + "\">\n<table class=\"sortable " + style + "\">\n<caption>" +
-                    escaped(caption) + "</caption>\n<thead><tr>";
+                    escaped(caption) + "\">\n<table class=\"sortable " + style + "\">\n<caption><span>" +
+                    escaped(caption) + "</span></caption>\n<thead><tr>";
   for (const TableColumn& c : columns) out += header(c);
   out += "</tr></thead>\n<tbody>\n";
   for (const TableLine& line : lines) {

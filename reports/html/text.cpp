@@ -30,6 +30,15 @@ size_t sequenceLength(std::string_view text) {
   return code < least || code > 0x10FFFF || surrogate ? 0 : length;
 }
 
+/// "1.2e-5", "1e-6"
+std::string scientific(double value) {
+  std::string text = fmt::format("{:.1e}", value);
+  const size_t e = text.find('e');
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.ends_with(".0")) mantissa.resize(mantissa.size() - 2);
+  return mantissa + "e" + std::to_string(std::stoi(text.substr(e + 1)));
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -98,7 +107,7 @@ std::string figure(double value) {
   const double size = std::abs(value);
   if (value == 0) return "0";
   if (size >= 99.95) return fmt::format("{:.0f}", value);
-  if (size < 9.995e-5) return fmt::format("{:.1e}", value);
+  if (size < 9.995e-5) return scientific(value);
   return fmt::format("{:.3g}", value);
 }
 

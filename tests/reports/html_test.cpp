@@ -71,7 +71,8 @@ TEST_F(Html, FormatsFigures) {
   EXPECT_EQ(figure(99.96), "100");
   EXPECT_EQ(figure(12.345), "12.3");
   EXPECT_EQ(figure(0.000123), "0.000123");
-  EXPECT_EQ(figure(0.0000123), "1.2e-05");
+  EXPECT_EQ(figure(0.0000123), "1.2e-5");
+  EXPECT_EQ(figure(-1e-6), "-1e-6");
   EXPECT_EQ(figure(-0.5), "-0.5");
 }
 
