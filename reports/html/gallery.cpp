@@ -40,10 +40,10 @@ std::string legends(const HtmlSettings& s) {
     for (const Rgb8& c : s.errorScale) out += "," + css(c);
     out += ")\"></span><span class=\"ends\">" + figure(s.errorMost) + "</span>";
   }
-  out += "</p>\n<dl class=\"cause-legend\"><dt class=\"what\">Blame map</dt>"
-         "<dd>largest cause of the squared error</dd>";
+  out += "</p>\n<dl class=\"cause-legend\"><div><dt class=\"what\">Blame map</dt> "
+         "<dd>largest cause of the squared error</dd></div>";
   for (const auto& [name, meaning] : kCauses)
-    out += "<dt>" + swatch(colorOf(s, name)) + name + "</dt><dd>" + meaning + "</dd>";
+    out += "<div><dt>" + swatch(colorOf(s, name)) + name + "</dt> <dd>" + meaning + "</dd></div>";
   return out + "</dl>\n</div>\n";
 }
 

@@ -115,7 +115,10 @@ std::string figure(const std::optional<double>& value) { return value ? figure(*
 
 std::string percent(double share) { return figure(100 * share) + " %"; }
 
-std::string mebibytes(uint64_t bytes) { return fmt::format("{:.1f}", double(bytes) / (1 << 20)); }
+std::string mebibytes(uint64_t bytes) {
+  const double value = double(bytes) / (1 << 20);
+  return value < 0.095 ? figure(value) : fmt::format("{:.1f}", value);
+}
 
 std::string withInterval(double value, double low, double high) {
   return figure(value) + " [" + figure(low) + ", " + figure(high) + "]";

@@ -148,6 +148,15 @@ TEST_F(Html, MissingPicturesAreANote) {
   EXPECT_NE(toHtml(sampleRun(), {}).find("made without a folder of pictures"), std::string::npos);
 }
 
+TEST_F(Html, LegendsHaveTheColoursGiven) {
+  const std::string text = toHtml(sampleRun(), {.pictures = m_folder,
+                                                .errorScale = {{0, 0, 4}, {255, 254, 253}},
+                                                .causeColors = {{"leaking", {1, 2, 3}}}});
+  EXPECT_NE(text.find("linear-gradient(to right,rgb(0,0,4),rgb(255,254,253))"), std::string::npos);
+  EXPECT_NE(text.find("1/1024</span>"), std::string::npos);
+  EXPECT_NE(text.find("background:rgb(1,2,3)\"></span>leaking"), std::string::npos);
+}
+
 TEST_F(Html, NamesThatAreNoHashesAreNotLookedFor) {
   fs::create_directories(m_folder / "sub");
   write("secret.png", tinyPng());

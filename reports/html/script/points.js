@@ -49,6 +49,7 @@ function layPoints(canvas, view, rows, cells, selection) {
       'aria-label': [cell.technique, cell.backend, cell.variant,
         ...cell.figures.slice(0, 3).map(([label, text]) => `${label} ${text}`)].filter(Boolean).join(', '),
       onfocus: () => selection.change(place.row.cell, true),
+      onblur: () => selection.change(selection.cell, false),
       onkeydown: (event) => {
         const next = step(places, place, event.key);
         if (!next) return;
