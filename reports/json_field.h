@@ -1,6 +1,6 @@
 // A value of a JSON file together with the path to it, so that every complaint about a file says
-// where, what was found and what was expected. Reading never converts silently: a text is no number,
-// and a number that its field cannot hold is refused.
+// where, what was found and what was expected. Reading never converts silently: a text is no
+// number, and a number that its field cannot hold is refused.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ class Field {
   Field at(const std::string& key) const;
   /// A key that may be missing or null.
   std::optional<Field> find(const std::string& key) const;
-  std::vector<Field> items() const;                             ///< of an array
+  std::vector<Field> items() const;                            ///< of an array
   std::vector<std::pair<std::string, Field>> members() const;  ///< of an object, in order
 
   std::string text() const;

@@ -20,7 +20,9 @@ ErrorStats readStats(const Field& f) {
           .pixels = f.at("pixels").integer<uint64_t>()};
 }
 
-VisibilityError readVisibility(const Field& f) { return {readStats(f), readStats(f.at("interior"))}; }
+VisibilityError readVisibility(const Field& f) {
+  return {readStats(f), readStats(f.at("interior"))};
+}
 
 ImageError readImage(const Field& f) {
   const Field interior = f.at("interior");

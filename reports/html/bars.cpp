@@ -28,8 +28,8 @@ double total(const std::vector<Part>& parts) {
 std::string bar(const std::string& style, const std::vector<Part>& parts, double most) {
   const double sum = total(parts);
   const double whole = std::max(most, sum);
-  std::string out = "<span class=\"bar " + style + (sum > most ? " clipped" : "") +
-                    "\" aria-hidden=\"true\">";
+  std::string out =
+      "<span class=\"bar " + style + (sum > most ? " clipped" : "") + "\" aria-hidden=\"true\">";
   for (const Part& p : parts)
     if (p.amount > 0)
       out += fmt::format("<span style=\"width:{:.2f}%\" title=\"{}: {}\"></span>",
@@ -76,8 +76,7 @@ std::string barTable(const PageModel& model, const ScenePart& part, const std::s
 
 std::vector<Part> passParts(const Record& r) {
   std::vector<Part> out;
-  for (const PassRecord& p : r.passes)
-    out.push_back({p.label, p.ms, figure(p.ms) + " ms"});
+  for (const PassRecord& p : r.passes) out.push_back({p.label, p.ms, figure(p.ms) + " ms"});
   return out;
 }
 
@@ -147,15 +146,16 @@ std::string backendRatios(const PageModel& model, const ScenePart& part) {
   const auto all = comparisons(model, part);
   if (all.empty()) return "";
   double most = 1.25;
-  for (const Comparison& c : all) most = std::max({most, c.ratio->high, 1 / std::max(c.ratio->low, 0.01)});
+  for (const Comparison& c : all)
+    most = std::max({most, c.ratio->high, 1 / std::max(c.ratio->low, 0.01)});
   std::vector<TableLine> lines;
   for (const auto& [cell, x, other] : all) {
     TableLine line = cellLine(model, *cell);
     line.cells[1].html = model.backendHtml(cell->backend) + " over " + model.backendHtml(other);
     line.cells.push_back({.html = withInterval(x->value, x->low, x->high), .value = x->value});
-    line.cells.push_back({.html = ratioMark(*x, most) + "<small>" +
-                                  escaped(verdict(*cell, *x, other)) + "</small>",
-                          .value = x->value});
+    line.cells.push_back(
+        {.html = ratioMark(*x, most) + "<small>" + escaped(verdict(*cell, *x, other)) + "</small>",
+         .value = x->value});
     lines.push_back(std::move(line));
   }
   return tableHtml("One backend's time over the other's, pairwise over interleaved blocks",

@@ -15,8 +15,10 @@ TableEntry over(double value, double low, double high) {
           .value = value};
 }
 
-TableEntry timeEntry(const Record& r, const TradePoint* point) {
+TableEntry timeEntry(const ScenePart& part, const Record& r, const TradePoint* point) {
   const auto& time = comparedTime(r);
+  if (timeKeyOf(r) != part.timeKey)
+    return absentEntry("a reference: its time is another kind of time");
   if (!time) return absentEntry(whyOf(r, timeKeyOf(r)));
   if (!point) return numberEntry(time->median);
   return over(point->time, point->timeInterval.low, point->timeInterval.high);
@@ -41,9 +43,10 @@ std::string frontText(const TradePoint* point) {
 }
 
 TableEntry frontEntry(const TradePoint* visibility, const TradePoint* image) {
-  return {.html = "<span data-kind=\"visibility\">" + frontText(visibility) +
-                  "</span><span class=\"no-script\"> visibility, </span><span data-kind=\"image\">" + frontText(image) +
-                  "</span><span class=\"no-script\"> image</span>"};
+  return {.html =
+              "<span data-kind=\"visibility\">" + frontText(visibility) +
+              "</span><span class=\"no-script\"> visibility, </span><span data-kind=\"image\">" +
+              frontText(image) + "</span><span class=\"no-script\"> image</span>"};
 }
 
 TableEntry stateEntry(const Record& r) {
@@ -81,7 +84,8 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
   std::vector<TableColumn> columns = cellColumns();
   columns.insert(
       columns.end(),
-      {{part.timeKey == "cpu_ms" ? "CPU ms" : "Frame ms", true, part.timeName() + ", median and its 95 % interval"},
+      {{part.timeKey == "cpu_ms" ? "CPU ms" : "Frame ms", true,
+        part.timeName() + ", median and its 95 % interval"},
        {"±", true, "half width of the 95 % interval of the median"},
        {"× none", true, "time over that of the same cell without shadows"},
        {"Visibility RMSE", true, "against the ray-traced truth, over all lights and layers"},
@@ -110,8 +114,9 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
     const std::string why = whyOf(r, "visibility"), whyImage = whyOf(r, "image");
     const auto& i = r.image;
     const TableEntry more[] = {
-        timeEntry(r, visibility ? visibility : image),
-        r.precision ? TableEntry{percent(*r.precision), *r.precision} : absentEntry(whyOf(r, "precision")),
+        timeEntry(part, r, visibility ? visibility : image),
+        r.precision ? TableEntry{percent(*r.precision), *r.precision}
+                    : absentEntry(whyOf(r, "precision")),
         baselineEntry(r),
         errorEntry(v(&ErrorStats::rmse), visibility, why),
         errorEntry(v(&ErrorStats::bias), nullptr, why),
@@ -124,7 +129,8 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
     line.cells.insert(line.cells.end(), std::begin(more), std::end(more));
     lines.push_back(std::move(line));
   }
-  return tableHtml("Figures of each cell of " + part.title() + ", 95 % intervals in brackets", columns, lines, "cells");
+  return tableHtml("Figures of each cell of " + part.title() + ", 95 % intervals in brackets",
+                   columns, lines, "cells");
 }
 
 }  // namespace report

@@ -31,7 +31,8 @@ const std::pair<const char*, const char*> kCauses[] = {
 
 std::string legends(const HtmlSettings& s) {
   const std::string least = s.errorLeast == 1.0 / 1024 ? "1/1024" : figure(s.errorLeast);
-  std::string out = "<div class=\"legends\">\n<p class=\"scale-legend\">Error map: largest channel, ";
+  std::string out =
+      "<div class=\"legends\">\n<p class=\"scale-legend\">Error map: largest channel, ";
   if (s.errorScale.empty()) {
     out += "from dark (" + least + ") to bright (" + figure(s.errorMost) + "), logarithmic";
   } else {
@@ -40,8 +41,9 @@ std::string legends(const HtmlSettings& s) {
     for (const Rgb8& c : s.errorScale) out += "," + css(c);
     out += ")\"></span><span class=\"ends\">" + figure(s.errorMost) + "</span>";
   }
-  out += "</p>\n<dl class=\"cause-legend\"><div><dt class=\"what\">Blame map</dt> "
-         "<dd>largest cause of the squared error</dd></div>";
+  out +=
+      "</p>\n<dl class=\"cause-legend\"><div><dt class=\"what\">Blame map</dt> "
+      "<dd>largest cause of the squared error</dd></div>";
   for (const auto& [name, meaning] : kCauses)
     out += "<div><dt>" + swatch(colorOf(s, name)) + name + "</dt> <dd>" + meaning + "</dd></div>";
   return out + "</dl>\n</div>\n";
@@ -62,8 +64,8 @@ std::string shares(const Record& r, const HtmlSettings& s) {
     words += "<span class=\"share\">" + swatch(color) + escaped(cause) + " " +
              fmt::format("{:.0f} %", 100 * share) + "</span> ";
   }
-  return "<div class=\"shares\"><span class=\"bar\" aria-hidden=\"true\">" + bar + "</span>" + words +
-         "</div>";
+  return "<div class=\"shares\"><span class=\"bar\" aria-hidden=\"true\">" + bar + "</span>" +
+         words + "</div>";
 }
 
 std::string figureHtml(const std::string& picture, const std::string& caption) {
@@ -83,16 +85,17 @@ std::string card(const PageModel& model, const std::vector<const Record*>& same,
     names.push_back(other->backend);
   }
   if (!variant.empty()) label += ", " + variant;
-  std::string out = "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") +
-                    " data-backends=\"" + escaped(names.dump(-1, ' ', true, Json::error_handler_t::replace)) + "\" data-cell=\"" +
-                    std::to_string(model.indexOf(r)) + "\">\n<h4>" +
-                    model.techniqueHtml(techniqueOf(r)) + backends +
-                    (variant.empty() ? "" : " <small>" + escaped(variant) + "</small>") +
-                    "</h4>\n<div class=\"pictures\">\n";
+  std::string out =
+      "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") + " data-backends=\"" +
+      escaped(names.dump(-1, ' ', true, Json::error_handler_t::replace)) + "\" data-cell=\"" +
+      std::to_string(model.indexOf(r)) + "\">\n<h4>" + model.techniqueHtml(techniqueOf(r)) +
+      backends + (variant.empty() ? "" : " <small>" + escaped(variant) + "</small>") +
+      "</h4>\n<div class=\"pictures\">\n";
   out += figureHtml(pictures.html(r, "image", "Picture of " + label),
                     r.image ? "image, RMSE " + figure(r.image->all.rmse) : "image");
-  out += figureHtml(pictures.html(r, "error", "Error map of " + label),
-                    r.visibility ? "error, visibility RMSE " + figure(r.visibility->all.rmse) : "error");
+  out += figureHtml(
+      pictures.html(r, "error", "Error map of " + label),
+      r.visibility ? "error, visibility RMSE " + figure(r.visibility->all.rmse) : "error");
   out += figureHtml(pictures.html(r, "blame", "Blame map of " + label), "blame");
   return out + "</div>\n" + shares(r, settings) + "</article>\n";
 }

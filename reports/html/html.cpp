@@ -50,7 +50,7 @@ std::filesystem::path picturesBeside(const std::filesystem::path& json) {
 std::string toHtml(const Run& run, const HtmlSettings& settings) {
   const PageModel model(run);
   PictureSet pictures(settings.pictures);
-  std::string scenes;
+  std::string scenes = summaryHtml(model);
   for (const ScenePart& part : model.parts) scenes += sceneHtml(model, part, settings, pictures);
   // Notes and data know only now which pictures there are.
   const std::string overview = overviewHtml(model, pictures.notes());

@@ -61,9 +61,9 @@ PageModel::PageModel(const Run& r)
     : run(r),
       visibility(tradeOffs(r, ErrorKind::Visibility)),
       image(tradeOffs(r, ErrorKind::Image)) {
-  // What has no time of its own goes where its scene's other cells are.
+  // What has no time of its own, or belongs to no API, goes where its scene's other cells are.
   auto partOf = [&](const Record& record) -> ScenePart& {
-    const std::string key = timeKeyOf(record);
+    const std::string key = record.backend == "cpu" ? "" : timeKeyOf(record);
     for (ScenePart& p : parts)
       if (p.scene == record.scene && p.width == record.width && p.height == record.height &&
           (p.timeKey == key || p.timeKey.empty() || key.empty())) {
@@ -83,9 +83,12 @@ PageModel::PageModel(const Run& r)
     addOnce(scenes, record.scene);
     partOf(record).cells.push_back(indexOf(record));
   }
+  for (ScenePart& part : parts)
+    if (part.timeKey.empty()) part.timeKey = timeKeyOf(run.records[part.cells.front()]);
   // Reference rows belong to no API: the APIs' shapes should not depend on whether there are any.
   std::ranges::stable_partition(backends, [](const std::string& b) { return b != "cpu"; });
-  auto deal = [&](const std::vector<TradeOff>& all, std::vector<const TradeOff*> ScenePart::*member) {
+  auto deal = [&](const std::vector<TradeOff>& all,
+                  std::vector<const TradeOff*> ScenePart::*member) {
     for (const TradeOff& t : all)
       for (ScenePart& p : parts)
         if (p.scene == t.scene && p.width == t.width && p.height == t.height &&
@@ -110,7 +113,8 @@ std::string PageModel::shapeClass(const std::string& backend) const {
 }
 
 std::string PageModel::techniqueHtml(const std::string& technique) const {
-  return "<span class=\"technique " + colorClass(technique) + "\">" + escaped(technique) + "</span>";
+  return "<span class=\"technique " + colorClass(technique) + "\">" + escaped(technique) +
+         "</span>";
 }
 
 std::string PageModel::backendHtml(const std::string& backend) const {

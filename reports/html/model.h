@@ -11,16 +11,16 @@
 
 namespace report {
 
-/// One scene at one size, with one kind of compared time: GPU times and CPU times are not drawn into
-/// one plot.
+/// One scene at one size, with one kind of compared time: GPU times and CPU times are not drawn
+/// into one plot.
 struct ScenePart {
   std::string id;  ///< of the element
   std::string scene;
   uint32_t width = 0, height = 0;
-  std::string timeKey;  ///< "cpu_ms" or "frame_ms"; "" when no cell has a time
-  std::vector<size_t> cells;                   ///< indices into Run::records
+  std::string timeKey;        ///< "cpu_ms" or "frame_ms"; "" when no cell has a time
+  std::vector<size_t> cells;  ///< indices into Run::records
   std::vector<const TradeOff*> visibility, image;
-  std::string title() const;  ///< "window, 256x256"
+  std::string title() const;     ///< "window, 256x256"
   std::string timeName() const;  ///< "CPU time of all threads" or "frame time"
 };
 
@@ -34,7 +34,8 @@ struct PageModel {
   std::vector<ScenePart> parts;
 
   size_t indexOf(const Record& r) const { return size_t(&r - run.records.data()); }
-  /// Class that gives the technique's colour: "t0", "t1", ... in order of appearance; "tn" for none.
+  /// Class that gives the technique's colour: "t0", "t1", ... in order of appearance; "tn" for
+  /// none.
   std::string colorClass(const std::string& technique) const;
   /// Class that gives the backend's shape: "b0", "b1", ...
   std::string shapeClass(const std::string& backend) const;

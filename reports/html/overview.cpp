@@ -17,10 +17,10 @@ std::string notice(const std::string& style, const std::string& html) {
 }
 
 /// "2 cells failed: REASON", and which on demand.
-std::string groupNotice(const std::string& style, const std::string& what, const std::string& reason,
-                        const Names& names) {
-  std::string out = "<strong>" + counted(names.size(), "cell", "cells") + " " + what + "</strong>: " +
-                    escaped(reason) + " <details><summary>which</summary><ul>";
+std::string groupNotice(const std::string& style, const std::string& what,
+                        const std::string& reason, const Names& names) {
+  std::string out = "<strong>" + counted(names.size(), "cell", "cells") + " " + what +
+                    "</strong>: " + escaped(reason) + " <details><summary>which</summary><ul>";
   for (const std::string& name : names) out += "<li><code>" + escaped(name) + "</code></li>";
   return notice(style, out + "</ul></details>");
 }
@@ -34,7 +34,8 @@ class Groups {
   }
   std::string html(const std::string& style, const std::string& what) const {
     std::string out;
-    for (const std::string& reason : m_order) out += groupNotice(style, what, reason, m_names.at(reason));
+    for (const std::string& reason : m_order)
+      out += groupNotice(style, what, reason, m_names.at(reason));
     return out;
   }
 
@@ -65,13 +66,15 @@ std::string notices(const PageModel& model, const Names& notes) {
                   "hardware: frame times are wall times, and cells are compared by the CPU time of "
                   "all threads.");
   if (wall)
-    out += notice("serious", "<strong>A device has no timestamps.</strong> Its frame times are wall "
-                             "times to completion.");
+    out += notice("serious",
+                  "<strong>A device has no timestamps.</strong> Its frame times are wall "
+                  "times to completion.");
   if (run.buildType == "debug")
     out += notice("serious", "<strong>Debug build.</strong> The times are of no use.");
   if (validated)
-    out += notice("serious", "<strong>Validation was on.</strong> It costs time; such cells are in "
-                             "no ratio and no plot.");
+    out += notice("serious",
+                  "<strong>Validation was on.</strong> It costs time; such cells are in "
+                  "no ratio and no plot.");
   if (run.records.empty()) out += notice("serious", "<strong>The run has no cells.</strong>");
   out += failed.html("serious", "failed");
   out += contaminated.html("serious", "contaminated, in no ratio and no plot");
@@ -79,7 +82,9 @@ std::string notices(const PageModel& model, const Names& notes) {
   for (const std::string& w : run.warnings) out += notice("mild", escaped(w));
   out += warned.html("mild", "with a warning");
   for (const std::string& note : notes) out += notice("mild", escaped(note));
-  return out.empty() ? "" : "<h2 class=\"unseen\">Warnings</h2>\n<ul class=\"notices\">\n" + out + "</ul>\n";
+  return out.empty()
+             ? ""
+             : "<h2 class=\"unseen\">Warnings</h2>\n<ul class=\"notices\">\n" + out + "</ul>\n";
 }
 
 void fact(std::string& out, const std::string& name, const std::string& html) {
@@ -117,14 +122,17 @@ std::string facts(const PageModel& model) {
   std::string out = "<dl class=\"facts\">\n";
   fact(out, "Devices", list(devices));
   fact(out, "Machine", machine(run));
-  fact(out, "Cells", fmt::format("{} of {} measured", ok, run.records.size()) +
-                         (byBudget ? fmt::format("; {} stopped by the budget before the precision "
-                                                 "asked for", byBudget)
-                                   : ""));
+  fact(out, "Cells",
+       fmt::format("{} of {} measured", ok, run.records.size()) +
+           (byBudget ? fmt::format("; {} stopped by the budget before the precision "
+                                   "asked for",
+                                   byBudget)
+                     : ""));
   fact(out, sizes.size() == 1 ? "Size" : "Sizes", list(sizes));
   fact(out, seeds.size() == 1 ? "Seed" : "Seeds", list(seeds));
-  fact(out, "Version", "ShadowBench " + escaped(run.version) +
-                           (run.buildType.empty() ? "" : ", " + escaped(run.buildType) + " build"));
+  fact(out, "Version",
+       "ShadowBench " + escaped(run.version) +
+           (run.buildType.empty() ? "" : ", " + escaped(run.buildType) + " build"));
   fact(out, "Date", escaped(run.date));
   return out + "</dl>\n";
 }
@@ -138,8 +146,10 @@ std::string choice(const std::string& name, const std::string& value, const std:
 }  // namespace
 
 std::string overviewHtml(const PageModel& model, const Names& notes) {
-  std::string out = "<p class=\"eyebrow\">ShadowBench report</p>\n<h1>What shadows cost, and how wrong they are</h1>\n" + notices(model, notes) +
-                    facts(model) + "<nav aria-label=\"Scenes\"><ul>\n";
+  std::string out =
+      "<p class=\"eyebrow\">ShadowBench report</p>\n<h1>What shadows cost, and how wrong they "
+      "are</h1>\n" +
+      notices(model, notes) + facts(model) + "<nav aria-label=\"Scenes\"><ul>\n";
   for (const ScenePart& part : model.parts)
     out += "<li data-scene=\"" + escaped(part.scene) + "\"><a href=\"#" + part.id + "\">" +
            escaped(part.title()) + "</a></li>\n";
@@ -147,19 +157,23 @@ std::string overviewHtml(const PageModel& model, const Names& notes) {
 }
 
 std::string filtersHtml(const PageModel& model) {
-  std::string out = "<form class=\"filters\" id=\"filters\" aria-label=\"What is shown\" hidden>\n"
-                    "<fieldset><legend>Technique</legend>\n";
-  for (const std::string& t : model.techniques) out += choice("technique", t, model.techniqueHtml(t));
+  std::string out =
+      "<form class=\"filters\" id=\"filters\" aria-label=\"What is shown\" hidden>\n"
+      "<fieldset><legend>Technique</legend>\n";
+  for (const std::string& t : model.techniques)
+    out += choice("technique", t, model.techniqueHtml(t));
   out += "</fieldset>\n<fieldset><legend>Backend</legend>\n";
   for (const std::string& b : model.backends) out += choice("backend", b, model.backendHtml(b));
-  out += "</fieldset>\n<fieldset><legend>Error</legend>\n"
-         "<label><input type=\"radio\" name=\"kind\" value=\"visibility\" checked>visibility</label>\n"
-         "<label><input type=\"radio\" name=\"kind\" value=\"image\">image</label>\n</fieldset>\n"
-         "<label class=\"scene-choice\">Scene <select name=\"scene\"><option value=\"\">all</option>";
+  out +=
+      "</fieldset>\n<fieldset><legend>Error</legend>\n"
+      "<label><input type=\"radio\" name=\"kind\" value=\"visibility\" checked>visibility</label>\n"
+      "<label><input type=\"radio\" name=\"kind\" value=\"image\">image</label>\n</fieldset>\n"
+      "<label class=\"scene-choice\">Scene <select name=\"scene\"><option value=\"\">all</option>";
   for (const std::string& s : model.scenes)
     out += "<option value=\"" + escaped(s) + "\">" + escaped(s) + "</option>";
-  return out + "</select></label>\n<button type=\"reset\">Show all</button>\n"
-               "<output id=\"shown\" aria-live=\"polite\"></output>\n</form>";
+  return out +
+         "</select></label>\n<button type=\"reset\">Show all</button>\n"
+         "<output id=\"shown\" aria-live=\"polite\"></output>\n</form>";
 }
 
 }  // namespace report

@@ -41,7 +41,8 @@ Json figures(const ScenePart& part, const Record& r) {
     add("Image RMSE", errorText(r.image->all.rmse, image));
     add("FLIP", figure(r.image->flip));
   }
-  if (r.noise) add("Noise", figure(r.noise->noise) + " over " + std::to_string(r.noise->seeds) + " seeds");
+  if (r.noise)
+    add("Noise", figure(r.noise->noise) + " over " + std::to_string(r.noise->seeds) + " seeds");
   if (r.certificate)
     add("Certificate", (r.certificate->unbiased ? "unbiased, " : "biased, ") +
                            counted(r.certificate->regions.size(), "region", "regions") + " tested");

@@ -11,7 +11,8 @@
 namespace report {
 namespace {
 
-/// Hashes name files; anything else in a file from elsewhere might name a file that is none of ours.
+/// Hashes name files; anything else in a file from elsewhere might name a file that is none of
+/// ours.
 bool isHash(const std::string& text) {
   return !text.empty() && text.size() <= 64 &&
          text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;

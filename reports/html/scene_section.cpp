@@ -33,7 +33,8 @@ std::string plot(const ScenePart& part) {
          " and RMSE with their 95&nbsp;% intervals; lower left is better. "
          "<span class=\"mark-key front\"></span>&nbsp;on the Pareto front, "
          "<span class=\"mark-key uncertain\"></span>&nbsp;on it, but within the intervals another "
-         "cell may be better, <span class=\"mark-key off\"></span>&nbsp;off the front. The front is "
+         "cell may be better, <span class=\"mark-key off\"></span>&nbsp;off the front. The front "
+         "is "
          "that of all cells of one backend, whatever is filtered out. Arrow keys go from point to "
          "point; the figures stand in the table <a href=\"#" +
          part.id +
@@ -50,12 +51,13 @@ std::string under(const std::string& title, const std::string& html) {
 std::string sceneHtml(const PageModel& model, const ScenePart& part, const HtmlSettings& settings,
                       PictureSet& pictures) {
   std::string out = "<section class=\"scene\" id=\"" + part.id + "\" data-scene=\"" +
-                    escaped(part.scene) + "\" aria-labelledby=\"" + part.id + "-title\">\n<h2 id=\"" +
-                    part.id + "-title\">" + escaped(part.title()) + "</h2>\n";
+                    escaped(part.scene) + "\" aria-labelledby=\"" + part.id +
+                    "-title\">\n<h2 id=\"" + part.id + "-title\">" + escaped(part.title()) +
+                    "</h2>\n";
   out += hasPoints(part) ? "<h3>Error over time</h3>\n" + plot(part) : noPlot(model, part);
-  out += under("What a time buys, what an error costs",
-               tradeTables(model, part, ErrorKind::Visibility) +
-                   tradeTables(model, part, ErrorKind::Image));
+  out += under(
+      "What a time buys, what an error costs",
+      tradeTables(model, part, ErrorKind::Visibility) + tradeTables(model, part, ErrorKind::Image));
   out += "<h3 id=\"" + part.id + "-cells\">All cells</h3>\n" + cellTable(model, part);
   out += under("Noise and certificate", stochasticTable(model, part));
   out += under("Time of each pass", passBars(model, part));

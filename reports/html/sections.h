@@ -15,6 +15,8 @@ std::string overviewHtml(const PageModel& model, const std::vector<std::string>&
 /// Techniques, backends, scenes and the kind of error to show; for the script, hidden without it.
 std::string filtersHtml(const PageModel& model);
 
+/// What one time buys in every scene; "" for a single scene.
+std::string summaryHtml(const PageModel& model);
 /// One scene: plot, tables, bars, pictures.
 std::string sceneHtml(const PageModel& model, const ScenePart& part, const HtmlSettings& settings,
                       PictureSet& pictures);
@@ -26,8 +28,8 @@ std::string passBars(const PageModel& model, const ScenePart& part);
 std::string backendRatios(const PageModel& model, const ScenePart& part);
 std::string memoryBars(const PageModel& model, const ScenePart& part);
 std::string stochasticTable(const PageModel& model, const ScenePart& part);
-std::string galleryHtml(const PageModel& model, const ScenePart& part,
-                        const HtmlSettings& settings, PictureSet& pictures);
+std::string galleryHtml(const PageModel& model, const ScenePart& part, const HtmlSettings& settings,
+                        PictureSet& pictures);
 
 /// What plots and details are made from, for the script.
 std::string pageData(const PageModel& model, const PictureSet& pictures);

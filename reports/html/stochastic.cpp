@@ -23,9 +23,10 @@ std::string worstRegions(const Certificate& c) {
   for (size_t i = 0; i < std::min(kShown, sorted.size()); ++i) {
     const RegionTest& t = sorted[i];
     out += fmt::format(
-        "<li>light {}, layer {}, {}, at ({}, {}), {} px: truth {}, found {} of {} ({}), p = {}</li>",
-        t.light, t.layer, channelName(t.channel), t.x, t.y, t.pixels, figure(t.q), t.passes, t.trials,
-        figure(t.trials ? double(t.passes) / double(t.trials) : 0), figure(t.pValue));
+        "<li>light {}, layer {}, {}, at ({}, {}), {} px: truth {}, found {} of {} ({}), p = "
+        "{}</li>",
+        t.light, t.layer, channelName(t.channel), t.x, t.y, t.pixels, figure(t.q), t.passes,
+        t.trials, figure(t.trials ? double(t.passes) / double(t.trials) : 0), figure(t.pValue));
   }
   return out + "</ul></details>";
 }
@@ -34,13 +35,13 @@ TableEntry verdict(const Record& r) {
   if (!r.certificate) return absentEntry(whyOf(r, "certificate"));
   const Certificate& c = *r.certificate;
   const double level = c.familyWiseError / double(std::max<size_t>(c.regions.size(), 1));
-  const auto refused = size_t(std::ranges::count_if(
-      c.regions, [&](const RegionTest& t) { return t.pValue < level; }));
+  const auto refused = size_t(
+      std::ranges::count_if(c.regions, [&](const RegionTest& t) { return t.pValue < level; }));
   std::string html = c.unbiased ? "<strong class=\"good\">unbiased</strong>"
                                 : "<strong class=\"bad\">biased</strong>";
   html += ": " + counted(c.regions.size(), "region", "regions") + " tested, " +
-          std::to_string(refused) + " refused, <span class=\"unbroken\">family-wise error " + figure(c.familyWiseError) +
-          "</span>";
+          std::to_string(refused) + " refused, <span class=\"unbroken\">family-wise error " +
+          figure(c.familyWiseError) + "</span>";
   return {.html = html + worstRegions(c), .value = double(refused)};
 }
 
@@ -67,14 +68,15 @@ std::string stochasticTable(const PageModel& model, const ScenePart& part) {
   }
   if (lines.empty()) return "";
   std::vector<TableColumn> columns = cellColumns();
-  columns.insert(columns.end(),
-                 {{"Seeds", true},
-                  {"Noise", true, "root of the mean variance over seeds"},
-                  {"RMSE of the mean", true, "what more samples would not remove"},
-                  {"Bias of the mean", true},
-                  {"RMSE of one seed [95 %]", true},
-                  {"Is it unbiased?", false, "exact binomial tests of regions with one expectation"}});
-  return tableHtml("Stochastic techniques over seeds, and whether their mean is the truth", columns, lines, "prose");
+  columns.insert(columns.end(), {{"Seeds", true},
+                                 {"Noise", true, "root of the mean variance over seeds"},
+                                 {"RMSE of the mean", true, "what more samples would not remove"},
+                                 {"Bias of the mean", true},
+                                 {"RMSE of one seed [95 %]", true},
+                                 {"Is it unbiased?", false,
+                                  "exact binomial tests of regions with one expectation"}});
+  return tableHtml("Stochastic techniques over seeds, and whether their mean is the truth", columns,
+                   lines, "prose");
 }
 
 }  // namespace report

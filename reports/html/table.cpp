@@ -34,15 +34,14 @@ std::string filterAttributes(const std::string& technique, const std::string& ba
 std::string tableHtml(const std::string& caption, const std::vector<TableColumn>& columns,
                       const std::vector<TableLine>& lines, const std::string& style) {
   std::string out = "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" +
-                    escaped(caption) + "\">\n<table class=\"sortable " + style + "\">\n<caption><span>" +
-                    escaped(caption) + "</span></caption>\n<thead><tr>";
+                    escaped(caption) + "\">\n<table class=\"sortable " + style +
+                    "\">\n<caption><span>" + escaped(caption) + "</span></caption>\n<thead><tr>";
   for (const TableColumn& c : columns) out += header(c);
   out += "</tr></thead>\n<tbody>\n";
   for (const TableLine& line : lines) {
     out += "<tr" + filterAttributes(line.technique, line.backend) +
            (line.muted ? " class=\"muted\"" : "") + ">";
-    for (size_t i = 0; i < line.cells.size(); ++i)
-      out += cell(line.cells[i], columns[i], i == 0);
+    for (size_t i = 0; i < line.cells.size(); ++i) out += cell(line.cells[i], columns[i], i == 0);
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n</div>\n";

@@ -46,7 +46,8 @@ std::string escaped(std::string_view text) {
   for (size_t i = 0; i < text.size();) {
     const size_t length = sequenceLength(text.substr(i));
     const char c = text[i];
-    if (length == 0 || (length == 1 && static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') ||
+    if (length == 0 ||
+        (length == 1 && static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') ||
         c == 0x7F)
       out += kReplacement;
     else if (c == '&')

@@ -26,8 +26,7 @@ const TradePoint* pointFor(const TableRow& row, const std::string& technique) {
 std::string limitTable(const PageModel& model, const std::vector<const TradeOff*>& all,
                        const std::string& caption, const std::string& first,
                        std::vector<TableRow> TradeOff::*rows, double TradePoint::*value,
-                       double TradePoint::*other, const char* otherBefore,
-                       const char* otherAfter,
+                       double TradePoint::*other, const char* otherBefore, const char* otherAfter,
                        std::string (*limit)(const TradeOff&, double)) {
   const auto techniques = techniquesOf(all);
   std::vector<TableColumn> columns = {{first}, {"Backend"}};
@@ -113,7 +112,8 @@ std::string tradeTables(const PageModel& model, const ScenePart& part, ErrorKind
   const std::string name = visibility ? "visibility RMSE" : "image RMSE";
   const std::string tables =
       limitTable(model, all, "Equal time: least " + name + " within a time", "Within",
-                 &TradeOff::equalTime, &TradePoint::error, &TradePoint::time, "", " ms", timeLimit) +
+                 &TradeOff::equalTime, &TradePoint::error, &TradePoint::time, "", " ms",
+                 timeLimit) +
       limitTable(model, all, "Equal error: least time in ms within a " + name, "At most",
                  &TradeOff::equalError, &TradePoint::time, &TradePoint::error, "RMSE ", "",
                  errorLimit) +

@@ -35,8 +35,8 @@ int reportCommand(const Options& options) {
   std::string html = options.htmlFile;
   if (html.empty()) html = fs::path(json).replace_extension(".html");
   requireWritable("--output", html);
-  const fs::path pictures =
-      options.pictureFolder.empty() ? report::picturesBeside(json) : fs::path(options.pictureFolder);
+  const fs::path pictures = options.pictureFolder.empty() ? report::picturesBeside(json)
+                                                          : fs::path(options.pictureFolder);
   std::error_code error;
   if (!options.pictureFolder.empty() && !fs::is_directory(pictures, error))
     throw InputError("--pictures", "found no folder '" + pictures.string() + "'");

@@ -2,7 +2,6 @@
 #include "reports/html/html.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -82,8 +81,9 @@ TEST_F(Html, HostileTextStaysText) {
   run.host = run.executable = run.version = run.date = run.buildType = bad;
   run.warnings = {bad};
   for (Record& r : run.records) {
-    for (std::string* text : {&r.name, &r.technique, &r.transparency, &r.backend, &r.device,
-                              &r.deviceType, &r.driver, &r.scene, &r.stoppedBy, &r.reason, &r.command})
+    for (std::string* text :
+         {&r.name, &r.technique, &r.transparency, &r.backend, &r.device, &r.deviceType, &r.driver,
+          &r.scene, &r.stoppedBy, &r.reason, &r.command})
       *text = bad;
     r.warnings = r.contamination = {bad};
     r.knobs = {{bad, bad}};
@@ -100,7 +100,7 @@ TEST_F(Html, HostileTextStaysText) {
   const std::string text = page(run);
   EXPECT_EQ(countOf(text, "alert(1)</script"), 0u);
   EXPECT_EQ(countOf(markup(text), "<b>"), 0u);
-  EXPECT_EQ(countOf(text, "<script"), 3u);   // data, library, page
+  EXPECT_EQ(countOf(text, "<script"), 3u);  // data, library, page
   EXPECT_EQ(countOf(text, "</script"), 3u);
   EXPECT_EQ(text.find('\xff'), std::string::npos);
   EXPECT_GT(countOf(markup(text), "&lt;script&gt;alert(1)"), 10u);
@@ -124,10 +124,10 @@ TEST_F(Html, WarnsFirst) {
   run.records[1].contamination = {"validation is on"};
   const std::string text = markup(page(run));
   const size_t facts = text.find("<dl class=\"facts\"");
-  for (const char* warning :
-       {"say nothing about graphics hardware", "Debug build", "Validation was on",
-        "<strong>1 cell failed</strong>: 3 values", "<strong>1 cell skipped</strong>: the device lacks",
-        "1 cell contaminated", "no library", "ten warm-up windows"})
+  for (const char* warning : {"say nothing about graphics hardware", "Debug build",
+                              "Validation was on", "<strong>1 cell failed</strong>: 3 values",
+                              "<strong>1 cell skipped</strong>: the device lacks",
+                              "1 cell contaminated", "no library", "ten warm-up windows"})
     EXPECT_LT(text.find(warning), facts) << warning;
 }
 
@@ -182,8 +182,8 @@ TEST_F(Html, RunsWithoutErrorsOrCellsAreWhole) {
 
 TEST_F(Html, TheSameRunGivesTheSamePage) { EXPECT_EQ(page(sampleRun()), page(sampleRun())); }
 
-/// As large as the quick suite's hardest picture (CSSM2 on spheres_quads, 74 kB): noise within a lit
-/// disc, smooth elsewhere.
+/// As large as the quick suite's hardest picture (CSSM2 on spheres_quads, 74 kB): noise within a
+/// lit disc, smooth elsewhere.
 std::string noisyPng(uint32_t seed) {
   constexpr int kSize = 256;
   std::mt19937 random(seed);

@@ -33,7 +33,9 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
-std::string complaint(const std::function<void(Json&)>& change) { return complaint(changed(change)); }
+std::string complaint(const std::function<void(Json&)>& change) {
+  return complaint(changed(change));
+}
 
 TEST(JsonRead, WhatIsReadIsWhatWasWritten) {
   const std::string text = toJson(sampleRun());
@@ -62,13 +64,14 @@ TEST(JsonRead, ValuesArriveInTheirFields) {
 }
 
 TEST(JsonRead, OldFilesLackErrors) {
-  const auto run = fromJson(changed([](Json& json) {
-                             for (Json& e : json["benchmarks"])
-                               for (const char* key : {"visibility", "visibility_layers", "image", "noise",
-                                                       "certificate", "blame", "truth_stderr", "pictures"})
-                                 e.erase(key);
-                           }),
-                           "a.json");
+  const auto run =
+      fromJson(changed([](Json& json) {
+                 for (Json& e : json["benchmarks"])
+                   for (const char* key : {"visibility", "visibility_layers", "image", "noise",
+                                           "certificate", "blame", "truth_stderr", "pictures"})
+                     e.erase(key);
+               }),
+               "a.json");
   const Record& r = run.records[0];
   EXPECT_FALSE(r.visibility || r.image || r.noise || r.certificate || r.blame || r.truthStderr);
   EXPECT_TRUE(r.visibilityLayers.empty() && r.pictures.empty());
@@ -80,13 +83,17 @@ TEST(JsonRead, ComplaintsNameFileFieldFoundAndExpected) {
             "a.json: benchmarks[2].frame_ms.median: found \"fast\", expected a number");
   EXPECT_EQ(complaint([](Json& j) { good(j).erase("technique"); }),
             "a.json: benchmarks[2].technique: found nothing, expected this key");
-  EXPECT_EQ(complaint([](Json& j) { good(j)["status"] = "fine"; }),
-            "a.json: benchmarks[2].status: found \"fine\", expected \"ok\", \"skipped\" or \"failed\"");
+  EXPECT_EQ(
+      complaint([](Json& j) { good(j)["status"] = "fine"; }),
+      "a.json: benchmarks[2].status: found \"fine\", expected \"ok\", \"skipped\" or \"failed\"");
   EXPECT_EQ(complaint([](Json& j) { good(j)["width"] = -1; }),
             "a.json: benchmarks[2].width: found -1, expected a whole number of 0 to 4294967295");
-  EXPECT_EQ(complaint([](Json& j) { good(j)["seed"] = 4294967296; }),
-            "a.json: benchmarks[2].seed: found 4294967296, expected a whole number of 0 to 4294967295");
-  EXPECT_EQ(complaint([](Json& j) { good(j)["image"]["rmse_rgb"] = Json::array({1, 2}); }),
+  EXPECT_EQ(
+      complaint([](Json& j) { good(j)["seed"] = 4294967296; }),
+      "a.json: benchmarks[2].seed: found 4294967296, expected a whole number of 0 to 4294967295");
+  EXPECT_EQ(complaint([](Json& j) {
+              good(j)["image"]["rmse_rgb"] = Json::array({1, 2});
+            }),
             "a.json: benchmarks[2].image.rmse_rgb: found a list, expected three numbers");
   EXPECT_EQ(complaint([](Json& j) { good(j)["passes"] = 3; }),
             "a.json: benchmarks[2].passes: found 3, expected a list");
