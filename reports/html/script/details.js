@@ -34,6 +34,8 @@ function commandWithCopy(command) {
 }
 
 function showDetails(panel, cell) {
+  // Who looks at error maps goes on to look at error maps.
+  const role = panel.querySelector('.roles [aria-pressed=true]')?.dataset.role;
   const figures = element('dl');
   for (const [label, text] of cell.figures)
     figures.append(element('div', {}, element('dt', {}, label), element('dd', {}, text)));
@@ -41,6 +43,6 @@ function showDetails(panel, cell) {
     element('span', { class: `technique ${cell.color}` }, cell.technique), ' ',
     element('span', { class: `backend ${cell.shape}` }, cell.backend));
   if (cell.variant) title.append(' ', element('small', {}, cell.variant));
-  panel.replaceChildren(title, pictureViewer(cell), figures, commandWithCopy(cell.command));
+  panel.replaceChildren(title, pictureViewer(cell, role), figures, commandWithCopy(cell.command));
   panel.dataset.cell = cell.name;
 }
