@@ -47,7 +47,8 @@ int reportCommand(const Options& options) {
     throw InputError("", e.what());
   }
   writeReport(run, html, pictures);
-  std::printf("%s\n", html.c_str());
+  // A page that goes to a pipe goes there alone.
+  if (!report::isSpecialFile(html)) std::printf("%s\n", html.c_str());
   return 0;
 }
 

@@ -26,23 +26,21 @@ DRIVER = shutil.which("chromedriver")
 BENCH, SCREENSHOTS = (os.path.abspath(path) for path in sys.argv[1:3])
 
 
+def setUpModule():
+    """One run, one page and one browser for all tests; each test loads the page anew."""
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    results = synthetic_run.write(folder.name)
+    subprocess.run([BENCH, "report", results], check=True, stdout=subprocess.DEVNULL)
+    os.makedirs(SCREENSHOTS, exist_ok=True)
+    Page.html = os.path.join(folder.name, "results.html")
+    with open(results) as file:
+        Page.cells = [e for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"]
+    Page.browser = Browser(DRIVER)
+    unittest.addModuleCleanup(Page.browser.quit)
+
+
 class Page(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.json = synthetic_run.write(cls.folder.name)
-        cls.html = os.path.join(cls.folder.name, "results.html")
-        subprocess.run([BENCH, "report", cls.json], check=True, stdout=subprocess.DEVNULL)
-        os.makedirs(SCREENSHOTS, exist_ok=True)
-        cls.browser = Browser(DRIVER)
-        with open(cls.json) as file:
-            cls.cells = [e for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-        cls.folder.cleanup()
-
     def setUp(self):
         self.browser.open(self.html)
         self.browser.console()
@@ -127,6 +125,15 @@ class Plots(Page):
         self.assertEqual(self.count(".point"), sum(len(self.expected(s)) for s in
                                                    synthetic_run.SCENES))
         self.assertEqual(self.count(".zero-label text"), 2)
+
+    def test_points_off_the_front_are_faint_and_the_front_goes_through_the_others(self):
+        for part, scene in enumerate(synthetic_run.SCENES):
+            states = self.browser.run("""
+                const canvas = document.querySelectorAll('.canvas')[arguments[0]];
+                const faint = [...canvas.querySelectorAll('.points path')].filter(
+                  (path) => Number(path.getAttribute('fill-opacity')) < 0.5).length;
+                return [faint, canvas.querySelectorAll('.mark-line path').length];""", part)
+            self.assertEqual(states, [2, 2])  # kernel:1 on each API; a front on each
 
     def test_filters_act_on_plots_tables_and_pictures(self):
         rows = self.count("table.cells tbody tr")
