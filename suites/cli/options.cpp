@@ -116,7 +116,8 @@ void addCommon(CLI::App& app, Options& o) {
 }
 
 CLI::App* addReport(CLI::App& app, Options& o) {
-  CLI::App* report = app.add_subcommand("report", "write the HTML page of results (no device needed)");
+  CLI::App* report =
+      app.add_subcommand("report", "write the HTML page of results (no device needed)");
   report->add_option("results", o.reportFile, "what --json wrote")->required()->type_name("FILE.json");
   report->add_option("--output,-o", o.htmlFile, "the page [FILE.html]")->type_name("FILE");
   report->add_option("--pictures", o.pictureFolder, "folder of the pictures [FILE.pictures]")

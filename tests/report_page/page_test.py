@@ -1,73 +1,24 @@
 #!/usr/bin/env python3
-"""The report's page in a real browser: what it asks for, draws, filters, sorts and copies, by pointer
-and by keyboard, at the width of a phone and of a desk.
+"""The report's page in a real browser: what it asks for, draws, filters and switches, by pointer and
+by keyboard, at the width of a phone and of a desk.
 
 Run as: page_test.py BENCH SCREENSHOT_FOLDER [unittest arguments]. Exit code 77: no browser here.
 """
-import json
 import os
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
 import synthetic_run
 
 try:
     from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-
-    from browser import Browser
 except ImportError:
-    Browser = None
-DRIVER = shutil.which("chromedriver")
-BENCH, SCREENSHOTS = (os.path.abspath(path) for path in sys.argv[1:3])
+    print("python3-selenium is not there")
+    # Where everything must be tested, this is a failure.
+    sys.exit(1 if os.environ.get("SHADOWBENCH_REQUIRE") else 77)
 
-
-def setUpModule():
-    """One run, one page and one browser for all tests; each test loads the page anew."""
-    folder = tempfile.TemporaryDirectory()
-    unittest.addModuleCleanup(folder.cleanup)
-    results = synthetic_run.write(folder.name)
-    subprocess.run([BENCH, "report", results], check=True, stdout=subprocess.DEVNULL)
-    os.makedirs(SCREENSHOTS, exist_ok=True)
-    Page.html = os.path.join(folder.name, "results.html")
-    with open(results) as file:
-        Page.cells = [e for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"]
-    Page.browser = Browser(DRIVER)
-    unittest.addModuleCleanup(Page.browser.quit)
-
-
-class Page(unittest.TestCase):
-    def setUp(self):
-        self.browser.open(self.html)
-        self.browser.console()
-
-    def tearDown(self):
-        self.assertEqual(self.browser.console(), [])
-
-    def count(self, selector):
-        return self.browser.run("return document.querySelectorAll(arguments[0]).length", selector)
-
-    def find(self, selector):
-        return self.browser.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def points(self, part=0):
-        return self.browser.run(
-            "return [...document.querySelectorAll('.canvas')[arguments[0]]"
-            ".querySelectorAll('.points path')].length", part)
-
-    def expected(self, scene, **keys):
-        return [e for e in self.cells if e["scene"] == scene and e["status"] == "ok" and
-                not e["contamination"] and all(e[k] in v for k, v in keys.items())]
-
-    def press(self, *keys):
-        ActionChains(self.browser.driver).send_keys(*keys).perform()
-
-    def focused(self, expression):
-        return self.browser.run("return document.activeElement." + expression)
+from keyboard_tests import Keyboard  # the test runner finds them here
+from page_case import DRIVER, SCREENSHOTS, By, Page
 
 
 class Loading(Page):
@@ -195,89 +146,6 @@ class Plots(Page):
         self.assertLess(max(off), 2.5)
 
 
-class Keyboard(Page):
-    def test_arrows_walk_the_points(self):
-        self.browser.run("document.querySelector('.canvas .point[tabindex=\"0\"]').focus()")
-        self.press(Keys.HOME)
-        seen = [self.focused("dataset.cell")]
-        for _ in range(len(self.expected("layers")) - 1):
-            self.press(Keys.ARROW_RIGHT)
-            seen.append(self.focused("dataset.cell"))
-        self.assertEqual(len(set(seen)), len(self.expected("layers")))
-        times = [self.cells[int(cell)]["cpu_time"] for cell in seen]
-        self.assertEqual(times, sorted(times))
-        self.assertEqual(self.find(".details").get_attribute("data-cell"),
-                         self.cells[int(seen[-1])]["run_name"])
-        self.assertNotEqual(self.browser.run(
-            "return getComputedStyle(document.activeElement).outlineStyle"), "none")
-
-    def test_tab_reaches_all_that_can_be_used(self):
-        # One stop a plot; hidden details and the closed dialog are no stops.
-        expected = self.browser.run("""
-            window.wanted = new Set([...document.querySelectorAll(
-              'a, button, input, select, summary, [tabindex="0"]')].filter((n) =>
-                n.checkVisibility() && !n.matches('.point[tabindex="-1"]') &&
-                !(n.type === 'radio' && !n.checked)));
-            document.activeElement.blur();
-            window.scrollTo(0, 0);
-            window.unmarked = [];
-            document.addEventListener('focusin', ({target}) => {
-              window.wanted.delete(target);
-              const {outlineStyle, outlineWidth} = getComputedStyle(target);
-              if (outlineStyle === 'none' || parseFloat(outlineWidth) < 2)
-                window.unmarked.push(target.outerHTML.slice(0, 90));
-            });
-            return window.wanted.size""")
-        self.assertGreater(expected, 100)
-        for _ in range(expected // 40 + 2):
-            self.press(*[Keys.TAB] * 40)
-        self.assertEqual(
-            self.browser.run("return [...window.wanted].map(n => n.outerHTML.slice(0, 90))"), [])
-        self.assertEqual(self.browser.run("return window.unmarked"), [])
-
-    def test_copy_button(self):
-        button = self.find(".details .copy")
-        command = self.find(".details .command code").text
-        self.browser.run("window.copied = []; document.addEventListener('copy', () =>"
-                         "window.copied.push(document.activeElement.value))")
-        button.send_keys(Keys.ENTER)
-        said = self.find(".details .said")
-        self.browser.wait(lambda: said.text, "the copy button says nothing")
-        self.assertEqual(said.text, "copied")
-        # Without the clipboard's interface the page copies from a field of its own.
-        self.browser.run("Object.defineProperty(navigator, 'clipboard', {value: undefined});"
-                         "document.querySelector('.said').value = ''")
-        button.send_keys(Keys.ENTER)
-        self.browser.wait(lambda: said.text, "the copy button says nothing")
-        self.assertEqual((said.text, self.browser.run("return window.copied.pop()")),
-                         ("copied", command))
-
-    def test_tables_sort_both_ways_with_absent_values_last(self):
-        def column():
-            return self.browser.run("""
-                return [...document.querySelector('table.cells').tBodies[0].rows].map((r) =>
-                  r.cells[6].dataset.value === undefined ? null : Number(r.cells[6].dataset.value))""")
-        header = self.find("table.cells thead th:nth-child(7)")
-        for direction, reverse in (("ascending", False), ("descending", True)):
-            header.find_element(By.TAG_NAME, "button").send_keys(Keys.ENTER)
-            self.assertEqual(header.get_attribute("aria-sort"), direction)
-            values = column()
-            numbers = [v for v in values if v is not None]
-            self.assertEqual(numbers, sorted(numbers, reverse=reverse))
-            self.assertEqual(values[len(numbers):], [None] * (len(values) - len(numbers)))
-            self.assertGreater(len(values), len(numbers))
-
-    def test_a_picture_opens_large_and_closes(self):
-        self.find(".gallery .card:not(.truth) .zoom").send_keys(Keys.ENTER)
-        self.assertTrue(self.find("dialog img").is_displayed())
-        before = self.find("dialog img").get_attribute("src")
-        self.find("dialog button[data-role=truth]").send_keys(Keys.SPACE)
-        self.assertEqual(self.find("dialog button[data-role=truth]").get_attribute("aria-pressed"), "true")
-        self.assertTrue(before)
-        self.press(Keys.ESCAPE)
-        self.assertFalse(self.find("dialog").is_displayed())
-
-
 class Shapes(Page):
     def test_no_sideways_scrolling_and_screenshots(self):
         for width in (390, 1440):
@@ -301,8 +169,7 @@ class Shapes(Page):
 
 
 if __name__ == "__main__":
-    if Browser is None or DRIVER is None:
-        print("chromium-driver or python3-selenium is not there")
-        # Where everything must be tested, this is a failure.
+    if DRIVER is None:
+        print("chromium-driver is not there")
         sys.exit(1 if os.environ.get("SHADOWBENCH_REQUIRE") else 77)
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

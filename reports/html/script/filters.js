@@ -6,13 +6,16 @@ function readFilters(form) {
   const checked = (name) => new Set(
     [...form.querySelectorAll(`input[name=${name}]:checked`)].map((input) => input.value));
   return {
+    techniques: new Set([...form.querySelectorAll('input[name=technique]')].map((i) => i.value)),
     technique: checked('technique'), backend: checked('backend'), kind: checked('kind'),
     scene: form.elements.scene.value,
   };
 }
 
 function passes(filters, { technique, backend, backends, scene, kind }) {
-  return (technique === undefined || filters.technique.has(technique)) &&
+  // A name that nobody can choose is never hidden: a trade-off may speak of a family of techniques.
+  return (technique === undefined || !filters.techniques.has(technique) ||
+      filters.technique.has(technique)) &&
     (backend === undefined || filters.backend.has(backend)) &&
     (backends === undefined || JSON.parse(backends).some((name) => filters.backend.has(name))) &&
     (kind === undefined || filters.kind.has(kind)) &&
