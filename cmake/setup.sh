@@ -12,7 +12,9 @@ packages=(
   libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
   libembree-dev libtbb-dev
   libstb-dev libtinyexr-dev libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev
+  libjs-vega # draws the report's plots
   libbenchmark-tools python3-scipy # compare.py, and the tests that run it
+  chromium chromium-driver python3-selenium # the tests of the report's page
 )
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,10 +1,12 @@
 // The commands of the program. Each returns the exit code.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "backends/rhi/device.h"
+#include "reports/record.h"
 #include "suites/cli/options.h"
 #include "suites/harness/devices.h"
 
@@ -16,6 +18,12 @@ int sceneCommand(const Options& options);
 int doctorCommand(const Options& options);
 int truthCommand(const Options& options);
 int cacheCommand(const Options& options);
+int reportCommand(const Options& options);
+
+/// The HTML page of a run, whole or not there. A picture that is missing in `pictures` (<hash>.png)
+/// is a note in the page. Throws std::runtime_error when the file cannot be written.
+void writeReport(const report::Run& run, const std::string& htmlFile,
+                 const std::filesystem::path& pictures);
 
 /// Backends and shaders that commands share.
 struct Platform {

@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
         return sb::truthCommand(*options);
       case sb::Command::Cache:
         return sb::cacheCommand(*options);
+      case sb::Command::Report:
+        return sb::reportCommand(*options);
     }
   } catch (const sb::InputError& e) {
     std::fprintf(stderr, "bench: %s\n", e.what());

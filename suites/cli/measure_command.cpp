@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/console.h"
+#include "reports/console_tradeoff.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/outputs.h"
 #include "suites/cli/progress.h"
@@ -93,10 +94,19 @@ void measureAll(const Options& options, const std::vector<CellId>& cells, Device
     for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION)) {
       if (result.id.companion) continue;
       run.records.push_back(std::move(result.record));
-      outputs.addPictures(std::move(result.files));
+      outputs.addPictures(result.files);
     }
     outputs.write(run, false);
   }
+}
+
+/// Some technique was measured with different knobs on one scene: there is accuracy to choose.
+bool isSweep(const report::Run& run) {
+  std::set<std::string> seen;
+  for (const report::Record& r : run.records)
+    if (!seen.insert(r.technique + "/" + r.transparency + "/" + r.backend + "/" + r.scene).second)
+      return true;
+  return false;
 }
 
 int exitCode(const report::Run& run, size_t cells) {
@@ -150,8 +160,10 @@ int measureCommand(const Options& given) {
   measureAll(options, cells, devices, quick, outputs, run);
   outputs.write(run, true);
   // With a format of the library's on the console, standard output is the library's alone.
-  if (!options.benchmark.display && !run.records.empty())
+  if (!options.benchmark.display && !run.records.empty()) {
     std::printf("%s", report::toTable(run).c_str());
+    if (isSweep(run)) std::printf("\n%s", report::toTable(report::tradeOffs(run)).c_str());
+  }
   runBenchmarks(options.benchmark, run.records);
   return exitCode(run, asked);
 }

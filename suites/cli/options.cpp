@@ -139,6 +139,16 @@ void addCommon(CLI::App& app, Options& o) {
   app.add_flag("--quiet", o.quiet, "no progress line");
 }
 
+CLI::App* addReport(CLI::App& app, Options& o) {
+  CLI::App* report =
+      app.add_subcommand("report", "write the HTML page of results (no device needed)");
+  report->add_option("results", o.reportFile, "what --json wrote")->required()->type_name("FILE.json");
+  report->add_option("--output,-o", o.htmlFile, "the page [FILE.html]")->type_name("FILE");
+  report->add_option("--pictures", o.pictureFolder, "folder of the pictures [FILE.pictures]")
+      ->type_name("DIR");
+  return report;
+}
+
 }  // namespace
 
 std::optional<Options> parseOptions(int argc, char** argv) {
@@ -211,6 +221,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   CLI::App* doctor =
       app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
   addCommon(*doctor, o);
+  CLI::App* report = addReport(app, o);
   app.require_subcommand(0, 1);
 
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector back to front
@@ -231,6 +242,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
     o.command = Command::Truth;
     if (truth->count("--output") == 0) o.outputPrefix = "truth";
   }
+  if (report->parsed()) o.command = Command::Report;
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),
                      "found it beside a command; it is of measuring");

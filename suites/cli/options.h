@@ -10,7 +10,7 @@
 
 namespace sb {
 
-enum class Command : uint8_t { Measure, Render, Scene, Doctor, Truth, Cache };
+enum class Command : uint8_t { Measure, Render, Scene, Doctor, Truth, Cache, Report };
 
 struct Options {
   Command command = Command::Measure;
@@ -21,7 +21,8 @@ struct Options {
   std::string shaderFolder;
   std::optional<double> budgetSeconds;
   std::optional<double> precisionPercent;
-  std::string jsonFile, csvFile, htmlFile;
+  std::string jsonFile, csvFile;
+  std::string htmlFile;  ///< of `report`, empty: beside the JSON
   std::string suite;  ///< name or file; "": cells come from the selection
   std::optional<uint32_t> seeds;
   bool truth = true;
@@ -39,6 +40,9 @@ struct Options {
   std::string sceneName;
   bool sceneJson = false;
   std::string exportFile;
+  // report
+  std::string reportFile;  ///< JSON to read
+  std::string pictureFolder;
 };
 
 /// Throws InputError for wrong arguments. When help or the version was asked for, prints it and

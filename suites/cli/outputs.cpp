@@ -1,16 +1,16 @@
 #include "suites/cli/outputs.h"
 
+#include <unistd.h>
+
 #include "reports/atomic_file.h"
 #include "reports/csv.h"
+#include "reports/html/html.h"
 #include "reports/json.h"
 #include "suites/cli/commands.h"
 
 namespace sb {
 
-std::filesystem::path picturesFolder(const std::filesystem::path& jsonFile) {
-  std::filesystem::path folder = jsonFile;
-  return folder.replace_extension(".pictures");
-}
+namespace fs = std::filesystem;
 
 Outputs::Outputs(const Options& options) : m_options(options) {
   if (!options.jsonFile.empty()) requireWritable("--json", options.jsonFile);
@@ -18,19 +18,26 @@ Outputs::Outputs(const Options& options) : m_options(options) {
   if (!options.htmlFile.empty()) requireWritable("--html", options.htmlFile);
   if (!options.benchmark.outFile.empty())
     requireWritable("--benchmark_out", options.benchmark.outFile);
-  if (!options.jsonFile.empty() && !report::isSpecialFile(options.jsonFile))
-    m_pictures = picturesFolder(options.jsonFile);
+  if (!options.jsonFile.empty() && !report::isSpecialFile(options.jsonFile)) {
+    m_pictures = report::picturesBeside(options.jsonFile);
+  } else if (!options.htmlFile.empty()) {
+    m_pictures = fs::temp_directory_path() / ("shadowbench-" + std::to_string(getpid()));
+    m_ownsFolder = true;
+  }
 }
 
-void Outputs::addPictures(PictureFiles files) {
-  if (!m_pictures.empty() && !files.empty()) {
-    std::filesystem::create_directories(m_pictures);
-    for (const auto& [hash, png] : files) {
-      const std::filesystem::path path = m_pictures / (hash + ".png");
-      if (!std::filesystem::exists(path)) report::writeAtomically(path, png);
-    }
+Outputs::~Outputs() {
+  std::error_code error;
+  if (m_ownsFolder) fs::remove_all(m_pictures, error);
+}
+
+void Outputs::addPictures(const PictureFiles& files) {
+  if (m_pictures.empty() || files.empty()) return;
+  fs::create_directories(m_pictures);
+  for (const auto& [hash, png] : files) {
+    const fs::path path = m_pictures / (hash + ".png");
+    if (!fs::exists(path)) report::writeAtomically(path, png);
   }
-  if (!m_options.htmlFile.empty()) m_files.merge(files);
 }
 
 void Outputs::write(const report::Run& run, bool finished) {
@@ -39,6 +46,7 @@ void Outputs::write(const report::Run& run, bool finished) {
   };
   if (due(m_options.jsonFile)) report::writeAtomically(m_options.jsonFile, report::toJson(run));
   if (due(m_options.csvFile)) report::writeAtomically(m_options.csvFile, report::toCsv(run));
+  if (finished && !m_options.htmlFile.empty()) writeReport(run, m_options.htmlFile, m_pictures);
 }
 
 }  // namespace sb

@@ -59,6 +59,20 @@ class WrongInput(Case):
         self.refused(["render", "-o", bad], "--output", bad)
         self.refused(["scene", "layers", "--export", bad + ".glb"], bad)
 
+    def test_results_that_are_none_are_refused(self):
+        self.refused(["report"], "results")
+        self.refused(["report", "/nonexistent.json"], "/nonexistent.json")
+        self.refused(["report", self.folder], self.folder)
+        with open(self.path("a.json"), "w") as file:
+            file.write('{"context": {"shadowbench_version": 3}, "benchmarks": []}')
+        for arguments, word in (([], "context.shadowbench_version: found 3, expected a text"),
+                                (["-o", "/nonexistent/x"], "--output"),
+                                (["--pictures", "/nonexistent"], "--pictures")):
+            result = run("report", self.path("a.json"), *arguments)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(word, result.stderr)
+        self.assertEqual(os.listdir(self.folder), ["a.json"])
+
     def test_a_broken_file_is_refused_before_measuring(self):
         broken = self.path("broken.gltf")
         with open(broken, "w") as file:

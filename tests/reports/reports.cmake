@@ -1,6 +1,8 @@
-# Tests of reports: statistics, and the exact text of every output.
+# Tests of reports: statistics, the exact text of every output, results read back, the page's text.
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/atomic_file_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/html_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/json_read_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/regression_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_run.cpp

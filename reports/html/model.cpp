@@ -1,0 +1,124 @@
+#include "reports/html/model.h"
+
+#include <algorithm>
+#include <set>
+
+#include "reports/html/text.h"
+
+namespace report {
+namespace {
+
+void addOnce(std::vector<std::string>& list, const std::string& name) {
+  if (!std::ranges::count(list, name)) list.push_back(name);
+}
+
+size_t placeIn(const std::vector<std::string>& list, const std::string& name) {
+  return size_t(std::ranges::find(list, name) - list.begin());
+}
+
+}  // namespace
+
+std::string techniqueOf(const Record& r) {
+  const std::string full = r.technique + "+" + r.transparency;
+  return r.name.starts_with(full + "/") ? full : r.technique;
+}
+
+std::string variantOf(const Record& r) {
+  // TECHNIQUE/backend/scene[/knob:value...]/WxH; a scene may hold slashes itself.
+  const std::string head = techniqueOf(r) + "/" + r.backend + "/" + r.scene + "/";
+  if (!r.name.starts_with(head)) return "";
+  std::string rest = r.name.substr(head.size());
+  const size_t size = rest.rfind('/');
+  if (size == std::string::npos) return "";
+  rest.resize(size);
+  std::ranges::replace(rest, '/', ' ');
+  return rest;
+}
+
+std::string timeKeyOf(const Record& r) {
+  if (r.timeSource.empty()) return "";
+  return r.timeSource == "software" ? "cpu_ms" : "frame_ms";
+}
+
+const std::optional<Distribution>& comparedTime(const Record& r) {
+  return timeKeyOf(r) == "cpu_ms" ? r.cpu : r.frame;
+}
+
+std::string whyOf(const Record& r, const std::string& key) {
+  const auto found = r.why.find(key);
+  return found == r.why.end() ? "" : found->second;
+}
+
+std::string ScenePart::title() const {
+  return scene + ", " + std::to_string(width) + "×" + std::to_string(height);
+}
+
+std::string ScenePart::timeName() const {
+  return timeKey == "cpu_ms" ? "CPU time of all threads" : "Frame time";
+}
+
+PageModel::PageModel(const Run& r)
+    : run(r),
+      visibility(tradeOffs(r, ErrorKind::Visibility)),
+      image(tradeOffs(r, ErrorKind::Image)) {
+  // What has no time of its own, or belongs to no API, goes where its scene's other cells are.
+  auto partOf = [&](const Record& record) -> ScenePart& {
+    const std::string key = record.backend == "cpu" ? "" : timeKeyOf(record);
+    for (ScenePart& p : parts)
+      if (p.scene == record.scene && p.width == record.width && p.height == record.height &&
+          (p.timeKey == key || p.timeKey.empty() || key.empty())) {
+        if (p.timeKey.empty()) p.timeKey = key;
+        return p;
+      }
+    parts.push_back({.id = "scene" + std::to_string(parts.size()),
+                     .scene = record.scene,
+                     .width = record.width,
+                     .height = record.height,
+                     .timeKey = key});
+    return parts.back();
+  };
+  for (const Record& record : run.records) {
+    addOnce(techniques, techniqueOf(record));
+    addOnce(backends, record.backend);
+    addOnce(scenes, record.scene);
+    partOf(record).cells.push_back(indexOf(record));
+  }
+  for (ScenePart& part : parts)
+    if (part.timeKey.empty()) part.timeKey = timeKeyOf(run.records[part.cells.front()]);
+  // Reference rows belong to no API: the APIs' shapes should not depend on whether there are any.
+  std::ranges::stable_partition(backends, [](const std::string& b) { return b != "cpu"; });
+  auto deal = [&](const std::vector<TradeOff>& all,
+                  std::vector<const TradeOff*> ScenePart::*member) {
+    for (const TradeOff& t : all)
+      for (ScenePart& p : parts)
+        if (p.scene == t.scene && p.width == t.width && p.height == t.height &&
+            p.timeKey == t.timeKey)
+          (p.*member).push_back(&t);
+  };
+  deal(visibility, &ScenePart::visibility);
+  deal(image, &ScenePart::image);
+}
+
+std::string PageModel::colorClass(const std::string& technique) const {
+  constexpr size_t kColors = 9;
+  if (technique == "none") return "tn";
+  const size_t none = placeIn(techniques, "none");
+  const size_t place = placeIn(techniques, technique);
+  return "t" + std::to_string((place - (none < place ? 1 : 0)) % kColors);
+}
+
+std::string PageModel::shapeClass(const std::string& backend) const {
+  constexpr size_t kShapes = 5;
+  return "b" + std::to_string(placeIn(backends, backend) % kShapes);
+}
+
+std::string PageModel::techniqueHtml(const std::string& technique) const {
+  return "<span class=\"technique " + colorClass(technique) + "\">" + escaped(technique) +
+         "</span>";
+}
+
+std::string PageModel::backendHtml(const std::string& backend) const {
+  return "<span class=\"backend " + shapeClass(backend) + "\">" + escaped(backend) + "</span>";
+}
+
+}  // namespace report

@@ -1,0 +1,219 @@
+#include "reports/json_read.h"
+
+#include <algorithm>
+#include <array>
+
+#include "reports/json_field.h"
+#include "reports/json_read_error.h"
+
+namespace report {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string textOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? found->text() : "";
+}
+
+Texts textsOf(const Field& entry, const std::string& key) {
+  Texts out;
+  if (auto found = entry.find(key))
+    for (const Field& item : found->items()) out.push_back(item.text());
+  return out;
+}
+
+uint64_t countOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? found->integer<uint64_t>() : 0;
+}
+
+std::optional<double> numberOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? std::optional(found->number()) : std::nullopt;
+}
+
+std::optional<Distribution> distributionOf(const Field& entry, const std::string& key) {
+  const auto f = entry.find(key);
+  if (!f) return {};
+  return Distribution{.median = f->at("median").number(),
+                      .q1 = f->at("q1").number(),
+                      .q3 = f->at("q3").number(),
+                      .cv = f->at("cv").number(),
+                      .n = f->at("n").integer<uint32_t>()};
+}
+
+Status readStatus(const Field& field) {
+  const std::string text = field.text();
+  for (Status s : {Status::Ok, Status::Skipped, Status::Failed})
+    if (text == statusName(s)) return s;
+  field.refuse("\"ok\", \"skipped\" or \"failed\"");
+}
+
+void readIdentity(const Field& e, Record& r) {
+  r.name = e.at("run_name").text();
+  r.technique = e.at("technique").text();
+  r.transparency = textOf(e, "transparency");
+  r.backend = e.at("backend").text();
+  r.device = textOf(e, "device");
+  r.deviceType = textOf(e, "device_type");
+  r.driver = textOf(e, "driver");
+  r.scene = e.at("scene").text();
+  r.sceneHash = textOf(e, "scene_hash");
+  r.width = e.at("width").integer<uint32_t>();
+  r.height = e.at("height").integer<uint32_t>();
+  if (auto knobs = e.find("knobs"))
+    for (const auto& [name, value] : knobs->members()) r.knobs[name] = value.text();
+  if (auto seed = e.find("seed")) r.seed = seed->integer<uint32_t>();
+  r.version = textOf(e, "version");
+}
+
+void readPlan(const Field& e, Record& r) {
+  r.effectsPlanned = textsOf(e, "effects_planned");
+  if (auto skipped = e.find("effects_skipped"))
+    for (const Field& s : skipped->items())
+      r.effectsSkipped.emplace_back(s.at("effect").text(), s.at("why").text());
+  r.effectsUnrepresented = textsOf(e, "effects_unrepresented");
+}
+
+PassRecord readPass(const Field& f) {
+  PassRecord pass{.label = f.at("label").text(),
+                  .ms = f.at("ms").number(),
+                  .share = f.at("share").number(),
+                  .draws = f.at("draws").integer<uint64_t>(),
+                  .triangles = f.at("triangles").integer<uint64_t>(),
+                  .fragments = {}};
+  if (auto fragments = f.find("fragments")) pass.fragments = fragments->integer<uint64_t>();
+  return pass;
+}
+
+Ratio readRatio(const Field& f) {
+  return {.kind = f.at("kind").text(),
+          .against = f.at("against").text(),
+          .of = f.at("of").text(),
+          .value = f.at("ratio").number(),
+          .low = f.at("low").number(),
+          .high = f.at("high").number(),
+          .n = f.at("n").integer<uint32_t>()};
+}
+
+void readTimes(const Field& e, Record& r) {
+  r.timeSource = textOf(e, "time_source");
+  r.frame = distributionOf(e, "frame_ms");
+  r.wall = distributionOf(e, "wall_ms");
+  r.cpu = distributionOf(e, "cpu_ms");
+  r.record = distributionOf(e, "record_ms");
+  r.device_ = distributionOf(e, "device_ms");
+  r.submitMs = numberOf(e, "submit_ms");
+  r.compileMs = numberOf(e, "compile_ms");
+  r.stoppedBy = textOf(e, "stopped_by");
+  r.precision = numberOf(e, "precision");
+  if (auto passes = e.find("passes"))
+    for (const Field& pass : passes->items()) r.passes.push_back(readPass(pass));
+  r.shadowMs = numberOf(e, "shadow_ms");
+  r.sceneMs = numberOf(e, "scene_ms");
+  r.combinedMs = numberOf(e, "combined_ms");
+  r.stampedFrameMs = numberOf(e, "stamped_frame_ms");
+  if (auto ratios = e.find("ratios"))
+    for (const Field& ratio : ratios->items()) r.ratios.push_back(readRatio(ratio));
+}
+
+void readResults(const Field& e, Record& r) {
+  r.passCount = countOf(e, "pass_count");
+  r.drawCount = countOf(e, "draw_count");
+  r.triangleCount = countOf(e, "triangle_count");
+  r.bytes = countOf(e, "bytes");
+  if (auto labels = e.find("bytes_by_label"))
+    for (const auto& [label, bytes] : labels->members())
+      r.bytesByLabel[label] = bytes.integer<uint64_t>();
+  if (auto f = e.find("nonfinite")) r.nonfinite = f->integer<uint64_t>();
+  if (auto f = e.find("stable")) r.stable = f->boolean();
+  if (auto f = e.find("cross_backend_max_255")) r.crossBackendMax255 = f->signedInteger();
+  if (auto f = e.find("cross_backend_over_1_255")) r.crossBackendOver1 = f->integer<uint64_t>();
+  r.picture = textOf(e, "picture");
+  readErrors(e, r);
+  if (auto pictures = e.find("pictures"))
+    for (const auto& [role, hash] : pictures->members()) r.pictures[role] = hash.text();
+}
+
+void readOutcome(const Field& e, Record& r) {
+  r.status = readStatus(e.at("status"));
+  r.reason = textOf(e, "reason");
+  r.warnings = textsOf(e, "warnings");
+  r.contamination = textsOf(e, "contamination");
+  r.command = textOf(e, "command");
+  for (const auto& [key, value] : e.members())
+    if (key.ends_with("_why")) r.why[key.substr(0, key.size() - 4)] = value.text();
+}
+
+Block readBlock(const Field& e) {
+  return {.frames = e.at("iterations").integer<uint32_t>(),
+          .frameMs = e.at("real_time").number(),
+          .cpuMs = e.at("cpu_time").number()};
+}
+
+/// One record for each aggregate entry; the repetitions of its name before it are its blocks.
+std::vector<Record> readRecords(const Field& list) {
+  std::vector<Record> records;
+  std::map<std::string, std::vector<Block>> blocks;
+  for (const Field& entry : list.items()) {
+    const std::string type = entry.at("run_type").text();
+    if (type == "iteration") {
+      blocks[entry.at("run_name").text()].push_back(readBlock(entry));
+      continue;
+    }
+    if (type != "aggregate") entry.at("run_type").refuse("\"iteration\" or \"aggregate\"");
+    Record r;
+    readIdentity(entry, r);
+    readPlan(entry, r);
+    readTimes(entry, r);
+    readResults(entry, r);
+    readOutcome(entry, r);
+    r.blocks = std::move(blocks[r.name]);
+    blocks.erase(r.name);
+    records.push_back(std::move(r));
+  }
+  return records;
+}
+
+Run readContext(const Field& c) {
+  Run run{.date = textOf(c, "date"),
+          .host = textOf(c, "host_name"),
+          .executable = textOf(c, "executable"),
+          .version = c.at("shadowbench_version").text(),
+          .buildType = textOf(c, "library_build_type"),
+          .warnings = textsOf(c, "warnings")};
+  if (auto f = c.find("num_cpus")) run.cpus = f->integer<uint32_t>();
+  run.cpuMHz = numberOf(c, "mhz_per_cpu").value_or(0);
+  if (auto f = c.find("cpu_scaling_enabled")) run.cpuScaling = f->boolean();
+  if (auto f = c.find("load_avg"))
+    for (const Field& load : f->items()) run.loadAverage.push_back(load.number());
+  return run;
+}
+
+/// "line 3, column 7" of the byte a parser stopped at, counted from 1.
+std::string placeOf(const std::string& text, size_t byte) {
+  const std::string before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const size_t line = size_t(std::ranges::count(before, '\n')) + 1;
+  const size_t start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1);
+}
+
+}  // namespace
+
+Run fromJson(const std::string& text, const std::string& fileName) {
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& e) {
+    throw ReadError(fileName, "", placeOf(text, e.byte) + ": found no JSON, expected results");
+  } catch (const Json::exception&) {
+    throw ReadError(fileName, "", "found a number that is too large, expected results");
+  }
+  const Field root(json, fileName);
+  Run run = readContext(root.at("context"));
+  run.records = readRecords(root.at("benchmarks"));
+  return run;
+}
+
+}  // namespace report

@@ -1,0 +1,64 @@
+// bench report: the HTML page of a run that was written as JSON. No device is opened.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "reports/atomic_file.h"
+#include "reports/html/html.h"
+#include "reports/json_read.h"
+#include "suites/cli/commands.h"
+#include "suites/metrics/blame.h"
+#include "suites/metrics/error_map.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readText(const std::string& path) {
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path, error))
+    throw InputError(path, "found no file that can be read, expected results of --json");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+void writeReport(const report::Run& run, const std::string& htmlFile,
+                 const std::filesystem::path& pictures) {
+  report::HtmlSettings settings{.pictures = pictures,
+                                .errorLeast = double(kErrorMapLeast),
+                                .errorMost = double(kErrorMapMost)};
+  constexpr int kSteps = 32;
+  for (int i = 0; i <= kSteps; ++i) settings.errorScale.push_back(scaleColor(float(i) / kSteps));
+  for (size_t k = 0; k < kCauses; ++k)
+    settings.causeColors.emplace_back(causeName(Cause(k)), causeColor(Cause(k)));
+  report::writeAtomically(htmlFile, report::toHtml(run, settings));
+}
+
+int reportCommand(const Options& options) {
+  const fs::path json = options.reportFile;
+  std::string html = options.htmlFile;
+  if (html.empty()) html = fs::path(json).replace_extension(".html");
+  requireWritable("--output", html);
+  const fs::path pictures = options.pictureFolder.empty() ? report::picturesBeside(json)
+                                                          : fs::path(options.pictureFolder);
+  std::error_code error;
+  if (!options.pictureFolder.empty() && !fs::is_directory(pictures, error))
+    throw InputError("--pictures", "found no folder '" + pictures.string() + "'");
+  report::Run run;
+  try {
+    run = report::fromJson(readText(options.reportFile), options.reportFile);
+  } catch (const report::ReadError& e) {
+    throw InputError("", e.what());
+  }
+  writeReport(run, html, pictures);
+  // A page that goes to a pipe goes there alone.
+  if (!report::isSpecialFile(html)) std::printf("%s\n", html.c_str());
+  return 0;
+}
+
+}  // namespace sb
