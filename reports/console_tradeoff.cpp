@@ -93,13 +93,14 @@ std::string limits(const std::string& title, const std::vector<std::string>& tec
 
 std::string orders(const TradeOff& t) {
   if (t.orders.empty()) return "";
-  std::vector<Row> rows = {{"error ~ knob^-order", "knob", "at", "order", "[95 %]", "points"}};
+  std::vector<Row> rows = {
+      {"error ~ knob^-order", "of", "knob", "at", "order", "[95 %]", "points"}};
   for (const Convergence& c : t.orders)
-    rows.push_back({c.technique, c.knob, c.others.empty() ? "-" : c.others,
+    rows.push_back({c.technique, c.of, c.knob, c.others.empty() ? "-" : c.others,
                     fmt::format("{:.2f}", c.order),
                     interval(c.interval, [](double v) { return fmt::format("{:.2f}", v); }),
                     fmt::format("{}", c.points)});
-  return "\n" + aligned(rows, 3);
+  return "\n" + aligned(rows, 4);
 }
 
 std::string block(const TradeOff& t) {

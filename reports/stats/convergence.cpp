@@ -25,16 +25,28 @@ std::optional<double> positiveNumber(const std::string& text) {
   return whole && std::isfinite(value) && value > 0 ? std::optional(value) : std::nullopt;
 }
 
-/// As in the name of a cell.
-std::string othersOf(const Record& r, const std::string& knob) {
+/// As in the name of a cell, but only knobs that vary.
+std::string othersOf(const Record& r, const std::string& knob, const std::set<std::string>& vary) {
   std::string out;
   auto add = [&](const std::string& name, const std::string& value) {
     out += (out.empty() ? "" : "/") + name + ":" + value;
   };
   for (const auto& [name, value] : r.knobs)
-    if (name != knob) add(name, value);
+    if (name != knob && vary.contains(name)) add(name, value);
   if (r.seed != 0) add("seed", std::to_string(r.seed));
   return out;
+}
+
+/// Knobs of which a technique's cells have several values.
+std::set<std::string> varyingKnobs(const TradeOff& t, const std::string& technique) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const TradePoint& p : t.points)
+    if (p.technique == technique)
+      for (const auto& [name, value] : p.record->knobs) values[name].insert(value);
+  std::set<std::string> vary;
+  for (const auto& [name, all] : values)
+    if (all.size() > 1) vary.insert(name);
+  return vary;
 }
 
 size_t distinctX(const Logs& logs) {
@@ -88,21 +100,29 @@ Exchange exchangeOf(const std::string& technique, const std::vector<const TradeP
 
 void fitOrders(TradeOff& t) {
   for (const std::string& technique : t.techniques) {
-    // By knob and the rest; seeds are series of their own.
-    std::map<std::pair<std::string, std::string>, Logs> series;
+    const std::set<std::string> vary = varyingKnobs(t, technique);
+    // By quantity, knob and the rest; seeds are series of their own.
+    std::map<std::tuple<std::string, std::string, std::string>, Logs> series;
     for (const TradePoint& p : t.points) {
-      if (p.technique != technique || p.error <= 0) continue;
-      for (const auto& [knob, text] : p.record->knobs)
-        if (const auto value = positiveNumber(text))
-          series[{knob, othersOf(*p.record, knob)}].emplace_back(std::log(*value),
-                                                                 std::log(p.error));
+      if (p.technique != technique) continue;
+      const auto& noise = p.record->noise;
+      for (const auto& [knob, text] : p.record->knobs) {
+        const auto value = positiveNumber(text);
+        if (!value) continue;
+        const std::string others = othersOf(*p.record, knob, vary);
+        if (p.error > 0)
+          series[{"RMSE", knob, others}].emplace_back(std::log(*value), std::log(p.error));
+        if (t.kind == ErrorKind::Visibility && noise && noise->noise > 0)
+          series[{"noise", knob, others}].emplace_back(std::log(*value), std::log(noise->noise));
+      }
     }
     for (const auto& [key, logs] : series) {
       if (distinctX(logs) < 3) continue;
       const Slope s = fitSlope(logs);
       t.orders.push_back({.technique = technique,
-                          .knob = key.first,
-                          .others = key.second,
+                          .of = std::get<0>(key),
+                          .knob = std::get<1>(key),
+                          .others = std::get<2>(key),
                           .order = -s.value,
                           .interval = {-s.interval.high, -s.interval.low},
                           .points = uint32_t(logs.size())});

@@ -44,8 +44,10 @@ struct TableRow {
 /// error ~ knob^-order, fitted over cells that differ in this knob alone.
 struct Convergence {
   std::string technique;
+  std::string of = "RMSE";  ///< or "noise": the standard deviation over seeds, visibility
   std::string knob;
-  std::string others;  ///< the other knobs and the seed of the series, "kernel:9/seed:1", or ""
+  /// What else varies among the technique's cells, as it is in this series: "kernel:9/seed:1", or "".
+  std::string others;
   double order = 0;
   Interval interval;    ///< 95 %, of the slope's regression
   uint32_t points = 0;  ///< at least 3

@@ -58,8 +58,8 @@ layers 64x32, vulkan: llvmpipe
   ShadowMap                  -        -        -         -
   RayTraced              40.00    40.00    40.00     40.00
 
-  error ~ knob^-order  knob  at  order        [95 %]  points
-  CSSM2                size  -    0.66  [-1.83,3.15]       3
+  error ~ knob^-order  of    knob  at  order        [95 %]  points
+  CSSM2                RMSE  size  -    0.66  [-1.83,3.15]       3
 
   none: no rate of exchange, 1 cell with error; 3 are needed
   CSSM2: halving the error costs 1.4 times the time (3 points, 0.23 to 8.0)

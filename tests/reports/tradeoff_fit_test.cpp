@@ -45,8 +45,8 @@ TEST(Convergence, SeriesDifferInOneKnobAlone) {
   const TradeOff t = only(run);
   // Two kernels are too few for an order of their own.
   ASSERT_EQ(t.orders.size(), 4u);
-  const std::string others[] = {"filter:box/kernel:1", "filter:box/kernel:1/seed:7",
-                                "filter:box/kernel:3", "filter:box/kernel:3/seed:7"};
+  // The filter is the same everywhere: it says nothing.
+  const std::string others[] = {"kernel:1", "kernel:1/seed:7", "kernel:3", "kernel:3/seed:7"};
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(t.orders[i].knob, "size");
     EXPECT_EQ(t.orders[i].others, others[i]);
@@ -54,6 +54,24 @@ TEST(Convergence, SeriesDifferInOneKnobAlone) {
     EXPECT_NEAR(t.orders[i].order, i < 2 ? 1 : 3, 1e-9);
     EXPECT_NEAR(t.orders[i].interval.low, i < 2 ? 1 : 3, 1e-6);
   }
+}
+
+TEST(Convergence, NoiseHasAnOrderOfItsOwn) {
+  report::Run run;
+  for (const int kernel : {1, 2, 4, 8}) {
+    Record r = cell("A", 1, 0.5, std::to_string(kernel));
+    r.noise = NoiseRecord{.seeds = 8, .noise = 0.25 / kernel, .rmseLow = 0.5, .rmseHigh = 0.5};
+    run.records.push_back(r);
+  }
+  const TradeOff t = only(run);
+  ASSERT_EQ(t.orders.size(), 2u);
+  EXPECT_EQ(t.orders[0].of, "RMSE");
+  EXPECT_NEAR(t.orders[0].order, 0, 1e-9);
+  EXPECT_EQ(t.orders[1].of, "noise");
+  EXPECT_NEAR(t.orders[1].order, 1, 1e-9);
+  // Of the image no noise is known.
+  EXPECT_TRUE(tradeOffs(run, ErrorKind::Image).empty() ||
+              tradeOffs(run, ErrorKind::Image)[0].orders.empty());
 }
 
 TEST(Convergence, NeedsThreeDifferentValuesWithLogarithms) {
