@@ -81,10 +81,19 @@ std::vector<Part> passParts(const Record& r) {
 }
 
 std::vector<Part> memoryParts(const Record& r) {
+  // Small buffers would hide the large ones behind their names.
+  constexpr uint64_t kSmall = 200;
   std::vector<Part> out;
+  uint64_t rest = 0;
+  size_t small = 0;
   for (const auto& [label, bytes] : r.bytesByLabel)
-    out.push_back({label, double(bytes), mebibytes(bytes) + " MiB"});
+    if (bytes < r.bytes / kSmall)
+      rest += bytes, ++small;
+    else
+      out.push_back({label, double(bytes), mebibytes(bytes) + " MiB"});
   std::ranges::stable_sort(out, std::greater(), &Part::amount);
+  if (small > 0)
+    out.push_back({counted(small, "smaller", "smaller"), double(rest), mebibytes(rest) + " MiB"});
   return out;
 }
 
