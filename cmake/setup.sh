@@ -13,14 +13,14 @@ packages=(
   libembree-dev libtbb-dev
   libstb-dev libtinyexr-dev libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev
   libjs-vega # draws the report's plots
-  libbenchmark-tools python3-scipy # compare.py, and the tests that run it
-  chromium chromium-driver python3-selenium # the tests of the report's page
 )
+# The tests alone: Google Benchmark's compare.py, and a browser for the report's page.
+test_packages=(libbenchmark-tools python3-scipy chromium chromium-driver python3-selenium)
 
 say() { printf '%s\n' "$*" >&2; }
 
-setup_packages() { # $1: yes or no, may install
-  local stamp="$build/.packages-ok" want
+setup_packages() { # $1: yes or no, may install; more: packages beside the common ones
+  local stamp="$build/.packages-ok" want packages=("${packages[@]}" "${@:2}")
   want=$(printf '%s\n' "${packages[@]}")
   [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$want" ] && return 0
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then

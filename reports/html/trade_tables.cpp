@@ -73,15 +73,17 @@ std::string orders(const PageModel& model, const std::vector<const TradeOff*>& a
                        .backend = t->backend,
                        .cells = {{.html = model.techniqueHtml(c.technique)},
                                  {.html = model.backendHtml(t->backend)},
+                                 textEntry(c.of),
                                  textEntry(c.knob),
                                  textEntry(c.others.empty() ? "default" : c.others),
                                  {.html = withInterval(c.order, c.interval.low, c.interval.high),
                                   .value = c.order},
                                  numberEntry(double(c.points))}});
   if (lines.empty()) return "";
-  return tableHtml("Order of convergence: error falls with knob to the power of minus this",
+  return tableHtml("Order of convergence: error or noise falls with knob to the power of minus this",
                    {{"Technique"},
                     {"Backend"},
+                    {"Of"},
                     {"Knob"},
                     {"Other knobs"},
                     {"Order [95 %]", true, "1: twice the knob, half the error"},

@@ -75,7 +75,10 @@ class TracerSubject final : public Subject {
   double createMs() const override { return m_createMs; }
   bool hasPasses() const override { return false; }
   std::string passesUntrusted() const override { return "ray tracing has no passes"; }
-  void describe(report::Record&) const override {}
+  void describe(report::Record& record) const override {
+    record.bytes = m_tracer.bytes();
+    record.bytesByLabel["triangles and tree"] = record.bytes;
+  }
 
  private:
   static double clockMs(clockid_t id) {

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -97,6 +98,12 @@ struct Bvh::Impl {
   double margin = 0;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::atomic<int64_t> bytes = 0;
+
+  static bool count(void* self, ssize_t bytes, bool) {
+    static_cast<Impl*>(self)->bytes += bytes;
+    return true;
+  }
 
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const Impl& impl = *static_cast<const Impl*>(args->geometryUserPtr);
@@ -129,6 +136,7 @@ Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach)
   m_impl->margin = extent * 0x1p-20;
   m_impl->device = rtcNewDevice(nullptr);
   if (!m_impl->device) fail(nullptr, "no device");
+  rtcSetDeviceMemoryMonitorFunction(m_impl->device, Impl::count, m_impl.get());
   m_impl->scene = rtcNewScene(m_impl->device);
   rtcSetSceneFlags(m_impl->scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(m_impl->device, RTC_GEOMETRY_TYPE_USER);
@@ -144,6 +152,8 @@ Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach)
 }
 
 Bvh::~Bvh() = default;
+
+uint64_t Bvh::bytes() const { return uint64_t(std::max<int64_t>(0, m_impl->bytes)); }
 
 void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) const {
   Search search(m_impl->triangles, ray, judge, out);

@@ -40,6 +40,9 @@ class Bvh {
   /// Stop the result is that one hit.
   void hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) const;
 
+  /// Memory that Embree keeps.
+  uint64_t bytes() const;
+
   /// The same by testing every triangle.
   static void hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                         const Judge& judge, std::vector<TruthHit>& out);

@@ -39,6 +39,7 @@ class RayScene {
   const Scene& scene() const { return m_scene; }
   uint32_t width() const { return m_width; }
   uint32_t height() const { return m_height; }
+  uint64_t bytes() const { return m_triangles.size() * sizeof(TruthTriangle) + m_bvh->bytes(); }
   uint32_t lights() const { return uint32_t(m_lights.size()); }
 
  private:

@@ -62,6 +62,8 @@ std::vector<float> Tracer::image(uint64_t* rays) const {
   return image;
 }
 
+uint64_t Tracer::bytes() const { return m_impl->rays.bytes(); }
+
 std::optional<Tracer::Point> Tracer::pointAt(uint32_t x, uint32_t y, uint32_t layer) const {
   RayScene::CameraHits found;
   m_impl->rays.cameraHits(x + 0.5, y + 0.5, found);

@@ -25,6 +25,9 @@ class Tracer {
   /// `rays` counts them if given.
   std::vector<float> image(uint64_t* rays = nullptr) const;
 
+  /// Memory of triangles and tree.
+  uint64_t bytes() const;
+
   /// A surface point that the camera sees.
   struct Point {
     glm::dvec3 position;  ///< relative to the eye

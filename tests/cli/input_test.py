@@ -95,13 +95,14 @@ class Names(Case):
         names = self.ok("--list").stdout.split()
         self.assertEqual(len(names), len(set(names)))
         self.assertEqual({name.split("/")[-1] for name in names}, {"256x256"})
-        self.assertEqual({name.split("/")[1] for name in names}, {"vulkan", "opengl"})
+        self.assertEqual({name.split("/")[1] for name in names}, {"vulkan", "opengl", "cpu"})
         for technique in ("none", "ShadowMap", "CSSM2"):
             self.assertIn(f"{technique}/vulkan/window/256x256", names)
         self.assertEqual(self.ok("--benchmark_list_tests").stdout.split(), names)
         self.assertIn("opengl-osmesa", self.ok("--list", "--gl=osmesa").stdout)
         text = self.ok("--help").stdout
-        for option in ("--filter", "--set", "--budget", "--precision", "--json", "render", "doctor",
+        for option in ("--filter", "--set", "--budget", "--precision", "--json", "--suite", "--html",
+                       "--no-truth", "render", "truth", "cache", "report", "doctor",
                        "Exit code"):
             self.assertIn(option, text)
         self.assertRegex(self.ok("--version").stdout, r"^\d+\.\d+\.\d+\n$")

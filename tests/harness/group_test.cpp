@@ -108,6 +108,7 @@ TEST_F(NullGroup, RayTracingIsARowWithItsTimeAndNoError) {
   EXPECT_EQ(r.visibility->all.rmse, 0);
   EXPECT_EQ(r.image->all.max, 0);
   EXPECT_EQ(r.image->flip, 0);
+  EXPECT_GT(r.bytes, 1000u);
   EXPECT_TRUE(r.passes.empty());
   EXPECT_EQ(r.why.at("passes"), "ray tracing has no passes");
   ASSERT_EQ(r.ratios.size(), 1u);

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""The truth and its cache, suites, reports, changed scenes."""
+import glob
+import json
+import os
+
+from program import FAST, Case, run, main
+
+# Area lights are not traced yet.
+AREA_LIGHT = {
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [
+        {"type": "point", "extras": {"shadowbench": {"radius": 0.5}}}]}},
+    "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}},
+                            "translation": [0, 0, 2]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,"
+                 "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+}
+
+
+class Truth(Case):
+    def test_pictures_and_cache(self):
+        cache = {"XDG_CACHE_HOME": self.path("cache")}
+        arguments = ["truth", "--scene", "layers", "--size", "32x24", "--quiet", "-o",
+                     self.path("t")]
+        first = self.ok(*arguments, env=cache).stdout
+        self.assertRegex(first, r"\d+ rays in [\d.]+ s: [\d.]+ million a second\n$")
+        for part in ("", ".visibility.light0.opaque", ".visibility.light0.layer4"):
+            for extension in (".png", ".exr"):
+                self.assertTrue(os.path.getsize(self.path("t" + part + extension)) > 0)
+        self.assertTrue(os.path.exists(self.path("t.edges.png")))
+        self.assertIn("by an earlier run", self.ok(*arguments, env=cache).stdout)
+        self.assertNotIn("by an earlier run",
+                         self.ok(*arguments, "--no-cache", env=cache).stdout)
+        self.assertIn(" 1 truths", self.ok("cache", env=cache).stdout)
+        self.assertIn("removed", self.ok("cache", "--clear", env=cache).stdout)
+        self.assertIn(" 0 truths", self.ok("cache", env=cache).stdout)
+
+        # A truth that was cut off is traced again.
+        self.ok(*arguments, env=cache)
+        file, = glob.glob(self.path("cache/**/*.truth"), recursive=True)
+        os.truncate(file, os.path.getsize(file) // 2)
+        self.assertNotIn("by an earlier run", self.ok(*arguments, env=cache).stdout)
+
+    def test_what_it_cannot_show(self):
+        scene = self.path("area.gltf")
+        with open(scene, "w") as file:
+            json.dump(AREA_LIGHT, file)
+        result = run("truth", "--scene", scene, "--size", "8x8", "-o", self.path("t"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("area lights", result.stderr)
+        self.assertFalse(os.path.exists(self.path("t.png")))
+        results = self.path("r.json")
+        self.ok("--technique", "none,RayTraced", "--backend", "vulkan", "--scene", scene, *FAST,
+                "--json", results)
+        with open(results) as file:
+            entries = {e["technique"]: e for e in json.load(file)["benchmarks"]
+                       if e["run_type"] == "aggregate"}
+        self.assertIsNone(entries["none"]["image"])
+        self.assertIn("area lights", entries["none"]["image_why"])
+        self.assertEqual(entries["RayTraced"]["status"], "skipped")
+        self.assertIn("area lights", entries["RayTraced"]["reason"])
+
+    def test_wrong_arguments(self):
+        for arguments, text in ((("truth", "--scene", "layers", "--scene", "window"), "one"),
+                                (("truth", "--scene", "layer"), "unknown scene"),
+                                (("truth", "--size", "0x4"), "--size"),
+                                (("truth", "--technique", "none"), "--technique")):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(text, result.stderr)
+
+
+class Suites(Case):
+    def test_a_suite_a_report_and_no_truth(self):
+        suite, html, results = self.path("s.toml"), self.path("r.html"), self.path("r.json")
+        with open(suite, "w") as file:
+            file.write('title = "t"\nseeds = 2\n[[run]]\nscenes = ["layers"]\nsize = "32x32"\n'
+                       'backends = ["vulkan"]\ntechniques = ["none", "RayTraced", "CSSM2"]\n'
+                       'sweep.kernel = [1, 3, 9]\n')
+        result = self.ok("--suite", suite, "--benchmark_repetitions=2", "--quiet", "--html", html,
+                         "--json", results)
+        for text in ("CSSM2/vulkan/layers/kernel:3/32x32", "error ~ knob", "16 x none"):
+            self.assertIn(text, result.stdout)
+        with open(html) as file:
+            page = file.read()
+        self.assertIn("CSSM2/vulkan/layers/kernel:3/32x32", page)
+        # The same page from the files alone.
+        self.ok("report", results, "-o", self.path("again.html"))
+        with open(self.path("again.html")) as file:
+            self.assertEqual(file.read(), page)
+        with open(results) as file:
+            cssm2 = [e for e in json.load(file)["benchmarks"]
+                     if e["run_type"] == "aggregate" and e["technique"] == "CSSM2"]
+        self.assertEqual([e["noise"]["seeds"] for e in cssm2], [2, 2, 2])
+        self.assertEqual(os.listdir(self.folder).count("r.pictures"), 1)
+
+        # Without JSON the pictures go into the page and nowhere else.
+        os.mkdir(self.path("empty"))
+        self.ok("--technique", "none", "--scene", "layers", *FAST, "--html", "page.html",
+                cwd=self.path("empty"))
+        self.assertEqual(os.listdir(self.path("empty")), ["page.html"])
+
+        self.ok("--technique", "none", "--backend", "vulkan", "--scene", "layers", *FAST,
+                "--no-truth", "--json", results)
+        with open(results) as file:
+            entry = json.load(file)["benchmarks"][-1]
+        self.assertIsNone(entry["visibility"])
+        self.assertEqual(entry["visibility_why"], "no truth was asked for")
+
+    def test_mistakes(self):
+        suite = self.path("s.toml")
+        with open(suite, "w") as file:
+            file.write('[[run]]\nscenes = ["layers"]\ntechniques = ["Cssm2"]\n')
+        for arguments, text in ((("--suite", suite), "s.toml:1: run 1: unknown technique 'Cssm2'"),
+                                (("--suite", "accurac"), "accuracy"),
+                                (("--suite", "accuracy", "--scene", "layers"), "--suite"),
+                                (("--seeds", "0"), "--seeds"),
+                                (("--set-material", "zzz:alpha=1", "--scene", "layers"),
+                                 "unknown material 'zzz'")):
+            result = run(*arguments, "--json", self.path("none.json"))
+            self.assertEqual(result.returncode, 2, (arguments, result.stderr))
+            self.assertIn(text, result.stderr)
+            self.assertFalse(os.path.exists(self.path("none.json")))
+
+    def test_changed_scenes_are_named_and_can_be_run_again(self):
+        names = self.ok("--list", "--technique", "none", "--backend", "vulkan", "--scene", "teapot",
+                        "--set-material", "*:alpha=0.5,t=0.9", "--sun", "direction=0,-1,0",
+                        "--camera", "eye=0,1,5,at=0,0,0").stdout.split()
+        self.assertEqual(names, ["none/vulkan/teapot?*:alpha=0.5,t=0.9,0.9,0.9;camera:eye=0,1,5,"
+                                 "at=0,0,0;sun:direction=0,-1,0/512x512"])
+        results = self.path("r.json")
+        self.ok("--technique", "none", "--backend", "vulkan", "--scene", "layers", "--set-material",
+                "*:alpha=0.5", *FAST, "--json", results)
+        with open(results) as file:
+            entry = json.load(file)["benchmarks"][-1]
+        self.assertIn("--scene 'layers?*:alpha=0.5'", entry["command"])
+
+
+if __name__ == "__main__":
+    main()
