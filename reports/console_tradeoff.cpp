@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -91,14 +92,16 @@ std::string limits(const std::string& title, const std::vector<std::string>& tec
   return "\n" + aligned(rows, 1);
 }
 
+/// Without "-0.00".
+std::string hundredths(double v) { return fmt::format("{:.2f}", std::round(v * 100) / 100 + 0.0); }
+
 std::string orders(const TradeOff& t) {
   if (t.orders.empty()) return "";
   std::vector<Row> rows = {
       {"error ~ knob^-order", "of", "knob", "at", "order", "[95 %]", "points"}};
   for (const Convergence& c : t.orders)
     rows.push_back({c.technique, c.of, c.knob, c.others.empty() ? "-" : c.others,
-                    fmt::format("{:.2f}", c.order),
-                    interval(c.interval, [](double v) { return fmt::format("{:.2f}", v); }),
+                    hundredths(c.order), interval(c.interval, hundredths),
                     fmt::format("{}", c.points)});
   return "\n" + aligned(rows, 4);
 }

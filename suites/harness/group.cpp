@@ -19,6 +19,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Shares of a group's progress at which measuring and verifying begin.
+constexpr double kMeasure = 0.3, kVerify = 0.6;
+
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -66,7 +69,7 @@ class Group {
         m_effects(analyse(m_scene, double(cells.front().width) / double(cells.front().height))),
         m_context{devices, m_scene, m_effects, settings.checkTimers, {}},
         m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
-                settings.judge) {
+                withProgress(settings.judge)) {
     for (const CellId& id : cells)
       m_results.push_back({id, recordOf(id, m_judge.sceneHash(), version), {}, {}});
     m_active.reserve(m_results.size());
@@ -74,7 +77,7 @@ class Group {
 
   std::vector<CellResult> run() {
     for (size_t i = 0; i < m_results.size(); ++i) {
-      report("prepare", 0.3 * double(i) / double(m_results.size()));
+      report("prepare", kMeasure * double(i) / double(m_results.size()));
       guarded(m_results[i], [&] { prepare(m_results[i]); });
       if (interrupted()) return {};
     }
@@ -83,7 +86,8 @@ class Group {
     if (interrupted()) return {};
     const std::vector<std::string> disturbed = disturbances(before, machineUse());
     for (size_t i = 0; i < m_active.size(); ++i) {
-      report("verify", 0.9 + 0.1 * double(i) / double(m_active.size()));
+      m_verified = i;
+      report("verify", kVerify + (1 - kVerify) * double(i) / double(m_active.size()));
       Active& a = m_active[i];
       for (const std::string& d : disturbed) addOnce(a.result->record.contamination, d);
       guarded(*a.result, [&] { finish(a, stop); });
@@ -96,6 +100,14 @@ class Group {
   }
 
  private:
+  JudgeSettings withProgress(JudgeSettings judge) {
+    judge.progress = [this](double done) {
+      report("verify", kVerify + (1 - kVerify) * (double(m_verified) + done) /
+                                     double(std::max<size_t>(1, m_active.size())));
+    };
+    return judge;
+  }
+
   bool interrupted() const { return m_settings.interrupted && m_settings.interrupted->load(); }
   void report(const std::string& what, double done) const {
     if (m_settings.progress) m_settings.progress(what, done);
@@ -160,7 +172,7 @@ class Group {
         if (interrupted()) break;
       }
       const double spent = secondsSince(start) / std::max(1e-9, budget);
-      report("measure", 0.3 + 0.6 * std::min(1.0, spent));
+      report("measure", kMeasure + (kVerify - kMeasure) * std::min(1.0, spent));
       std::vector<double> widths;
       for (const Active& a : m_active)
         if (a.ok()) widths.push_back(relativeHalfWidth(blockMeans(a.samples, a.software)));
@@ -224,6 +236,7 @@ class Group {
   Judge m_judge;
   std::vector<CellResult> m_results;
   std::vector<Active> m_active;
+  size_t m_verified = 0;  ///< cells
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ struct JudgeSettings {
   uint32_t seeds = 64;          ///< of stochastic techniques; below 2: noise is not measured
   std::filesystem::path cache;  ///< of truths; empty: none
   const std::atomic<bool>* interrupted = nullptr;
-  std::function<void(double)> progress;  ///< of tracing a truth, 0..1
+  std::function<void(double)> progress;  ///< of tracing a truth and of a cell's seeds, 0..1
 };
 
 /// PNG bytes by content hash.
@@ -55,6 +55,8 @@ class Judge {
   std::vector<std::vector<SeedMoments>> judgeSeeds(Renderer& renderer, uint32_t seed,
                                                    const std::vector<Answer>& answers,
                                                    report::Record& record);
+  report::NoiseRecord noiseOf(const std::vector<Answer>& answers,
+                              const std::vector<std::vector<SeedMoments>>& moments) const;
   /// Least and greatest truth as far as a lookup reaches and in the pixels beside.
   ValueRange truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,
                          const LookupReach& reach);

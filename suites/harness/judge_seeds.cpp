@@ -1,0 +1,80 @@
+// What is random apart from what is wrong: the same cell with other seeds.
+#include <cmath>
+
+#include "reports/stats/stats.h"
+#include "suites/harness/certify.h"
+#include "suites/harness/judge.h"
+#include "suites/metrics/error.h"
+
+namespace sb {
+
+std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint32_t seed,
+                                                        const std::vector<Answer>& answers,
+                                                        report::Record& record) {
+  std::vector<TrialRegion> regions;
+  const uint32_t trials = answers.empty() ? 0 : renderer.reach(answers.front().light).trials;
+  for (const Answer& a : answers)
+    for (uint32_t layer = 0; trials > 0 && layer < kTruthLayers; ++layer)
+      for (TrialRegion& r : trialRegions(tracer(), truthAt(a.light, layer), edgesAt(a.light, layer),
+                                         m_size, a.light, layer, renderer.reach(a.light)))
+        regions.push_back(std::move(r));
+
+  std::vector<std::vector<SeedMoments>> moments(answers.size(),
+                                                std::vector<SeedMoments>(kTruthLayers));
+  std::vector<double> errors;
+  for (uint32_t n = 0; n < m_settings.seeds; ++n) {
+    if (m_settings.interrupted && m_settings.interrupted->load()) break;
+    if (m_settings.progress) m_settings.progress(double(n) / m_settings.seeds);
+    renderer.setSeed(seed + n);
+    renderer.frame();
+    ErrorSum sum;
+    for (size_t i = 0; i < answers.size(); ++i) {
+      const auto layers = renderer.readVisibility(answers[i].asked);
+      for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+        moments[i][layer].add(layers[layer]);
+        sum.add(layers[layer], truthAt(answers[i].light, layer));
+      }
+      for (TrialRegion& r : regions)
+        if (r.light == answers[i].light) countTrials(r, layers[r.layer], trials);
+    }
+    errors.push_back(sum.stats().rmse);
+  }
+  renderer.setSeed(seed);
+  renderer.frame();
+
+  record.noise = noiseOf(answers, moments);
+  const report::Interval interval = report::medianInterval(errors);
+  record.noise->rmseLow = interval.low;
+  record.noise->rmseHigh = interval.high;
+  if (trials > 0)
+    record.certificate = certificateOf(regions, m_size);
+  else
+    record.why["certificate"] = "a lookup is no sum of equal trials";
+  return moments;
+}
+
+report::NoiseRecord Judge::noiseOf(const std::vector<Answer>& answers,
+                                   const std::vector<std::vector<SeedMoments>>& moments) const {
+  ErrorSum mean;
+  double variance = 0;
+  uint64_t values = 0;
+  for (size_t i = 0; i < answers.size(); ++i)
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const Values expected = truthAt(answers[i].light, layer);
+      const SeedMoments& m = moments[i][layer];
+      mean.add(m.mean(), expected);
+      const std::vector<float> v = m.variance();
+      for (size_t p = 0; p + 3 < v.size(); p += 4) {
+        if (m.mean()[p + 3] != 1 || expected[p + 3] != 1) continue;
+        for (size_t c = 0; c < 3; ++c) variance += double(v[p + c]);
+        values += 3;
+      }
+    }
+  const report::ErrorStats bias = mean.stats();
+  return {.seeds = answers.empty() ? 0 : moments[0][0].seeds(),
+          .noise = values ? std::sqrt(variance / double(values)) : 0,
+          .biasRmse = bias.rmse,
+          .bias = bias.bias};
+}
+
+}  // namespace sb
