@@ -65,6 +65,13 @@ std::string timeLimit(const TradeOff& t, double limit) {
 
 std::string errorLimit(const TradeOff&, double limit) { return "RMSE " + figure(limit); }
 
+/// The knobs of a series; lines may break between them.
+std::string othersHtml(const std::string& others) {
+  std::string out;
+  for (const char c : others) out += c == '/' ? ", " : escaped(std::string(1, c));
+  return "<small>" + (out.empty() ? "default" : out) + "</small>";
+}
+
 std::string orders(const PageModel& model, const std::vector<const TradeOff*>& all) {
   std::vector<TableLine> lines;
   for (const TradeOff* t : all)
@@ -75,20 +82,20 @@ std::string orders(const PageModel& model, const std::vector<const TradeOff*>& a
                                  {.html = model.backendHtml(t->backend)},
                                  textEntry(c.of),
                                  textEntry(c.knob),
-                                 textEntry(c.others.empty() ? "default" : c.others),
                                  {.html = withInterval(c.order, c.interval.low, c.interval.high),
                                   .value = c.order},
-                                 numberEntry(double(c.points))}});
+                                 numberEntry(double(c.points)),
+                                 {.html = othersHtml(c.others)}}});
   if (lines.empty()) return "";
   return tableHtml("Order of convergence: error or noise falls with knob to the power of minus this",
                    {{"Technique"},
                     {"Backend"},
                     {"Of"},
                     {"Knob"},
-                    {"Other knobs"},
                     {"Order [95 %]", true, "1: twice the knob, half the error"},
-                    {"Cells", true}},
-                   lines);
+                    {"Cells", true},
+                    {"Where"}},
+                   lines, "wide");
 }
 
 std::string exchanges(const PageModel& model, const std::vector<const TradeOff*>& all) {

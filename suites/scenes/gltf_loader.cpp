@@ -30,11 +30,11 @@ void complete(GltfContext& context) {
   if (scene.instances.empty()) context.warn("the file shows no triangles");
   if (scene.cameras.empty()) {
     scene.cameras.push_back(framingCamera(sceneBox(scene)));
-    context.warn("the file shows no camera; one that frames the whole scene was added");
+    context.warn(kCameraAdded);
   }
   if (scene.lights.empty()) {
     scene.lights.push_back(defaultLight());
-    context.warn("the file shows no light; a white directional one was added");
+    context.warn(kLightAdded);
   }
   for (size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = uint32_t(i);
 }

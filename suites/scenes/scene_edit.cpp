@@ -124,6 +124,7 @@ void editCamera(Scene& scene, const SceneEdit& edit) {
   camera.farPlane = farthest * 1.01;
   camera.nearPlane = camera.farPlane * 1e-4;
   scene.cameras.insert(scene.cameras.begin(), camera);
+  std::erase(scene.warnings, kCameraAdded);
 }
 
 void editSun(Scene& scene, const SceneEdit& edit) {
@@ -134,6 +135,7 @@ void editSun(Scene& scene, const SceneEdit& edit) {
   light.direction = glm::normalize(direction);
   if (const auto* lux = find(edit, "lux")) light.intensity = float((*lux)[0]);
   scene.lights = {light};
+  std::erase(scene.warnings, kLightAdded);
 }
 
 void editMaterials(Scene& scene, const SceneEdit& edit) {

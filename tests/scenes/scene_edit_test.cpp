@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "suites/scenes/framing.h"
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 
@@ -40,6 +41,15 @@ TEST(SceneEdit, SunReplacesAllLights) {
   EXPECT_EQ(scene.lights[0].type, LightType::Directional);
   EXPECT_EQ(scene.lights[0].direction, glm::dvec3(0, -1, 0));
   EXPECT_EQ(scene.lights[0].intensity, 5);
+}
+
+TEST(SceneEdit, WhatWasAddedForWantOfCameraAndLightIsSaidOnlyWhenItStays) {
+  Scene scene = makeScene("layers");
+  scene.warnings = {kCameraAdded, kLightAdded, "kept"};
+  applyEdits(scene, parseEdits("camera:eye=1,2,3,at=0,0,0"));
+  EXPECT_EQ(scene.warnings, (std::vector<std::string>{kLightAdded, "kept"}));
+  applyEdits(scene, parseEdits("sun:direction=0,-1,0"));
+  EXPECT_EQ(scene.warnings, (std::vector<std::string>{"kept"}));
 }
 
 TEST(SceneEdit, MaterialsByGlob) {
