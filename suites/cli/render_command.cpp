@@ -59,7 +59,8 @@ int renderCommand(const Options& options) {
   DeviceSession* session = devices.open(id.backend);
   const TechniqueInfo& technique = shadowTechnique(id.technique).info;
   if (auto skip =
-          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info))
+          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
+                      cellKnobs(id)))
     throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());

@@ -127,7 +127,7 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
   record.deviceType = rhi::deviceTypeName(device.info().type);
   record.driver = device.info().driver + " " + device.info().driverVersion;
   if (auto why = unsupported(device, shadowTechnique(id.technique).info,
-                             transparencyTechnique(id.transparency).info))
+                             transparencyTechnique(id.transparency).info, cellKnobs(id)))
     return skip(record, why->reason);
   std::string passesUntrusted;
   if (context.checkTimers) {

@@ -111,6 +111,10 @@ void CameraPass::recordTranslucent(Frame& frame) {
   if (m_transparency) m_transparency->record(frame, *this);
 }
 
+void CameraPass::recordTranslucent(Frame& frame, std::span<const uint32_t> part) {
+  if (m_transparency) m_transparency->recordPart(frame, *this, part);
+}
+
 void CameraPass::translucentPass(Frame& frame, const std::string& label,
                                  const std::function<void(rhi::CommandList&)>& body) {
   const rhi::ColorAttachment color{.view = {.texture = m_color}, .load = rhi::LoadOp::Load};

@@ -19,6 +19,8 @@ class CameraPass {
 
   void recordOpaque(Frame& frame);
   void recordTranslucent(Frame& frame);
+  /// Some of them, after all behind these.
+  void recordTranslucent(Frame& frame, std::span<const uint32_t> part);
 
   rhi::TextureId color() const { return m_color; }
   rhi::TextureId depth() const { return m_depth; }

@@ -18,20 +18,18 @@ std::map<std::string, uint64_t> difference(std::map<std::string, uint64_t> after
 
 }  // namespace
 
-void ShadowTechnique::recordCamera(Frame& frame, CameraPass& camera) {
-  camera.recordOpaque(frame);
-  camera.recordTranslucent(frame);
-}
-
 std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency) {
   std::vector<KnobInfo> knobs = technique.knobs;
-  if (!technique.ownsCameraPass)
-    knobs.insert(knobs.end(), transparency.knobs.begin(), transparency.knobs.end());
+  knobs.insert(knobs.end(), transparency.knobs.begin(), transparency.knobs.end());
   return knobs;
 }
 
 std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency) {
+                                     const TechniqueInfo& transparency, const Knobs& knobs) {
+  if (technique.drawsInParts && technique.drawsInParts(knobs) &&
+      !(transparency.drawsParts && transparency.drawsParts(knobs)))
+    return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
+                     transparency.name + " does not draw those one after another"};
   // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03, P2).
   std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
   needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
@@ -47,9 +45,7 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
   const auto before = device.device.ledger().bytesByLabel();
   const TechniqueInfo& info = m_desc.technique->info;
-  EffectSet represents = info.represents;
-  if (!info.ownsCameraPass) represents = represents | m_desc.transparency->info.represents;
-  m_plan = makePlan(effects, represents, m_desc.forced);
+  m_plan = makePlan(effects, info.represents | m_desc.transparency->info.represents, m_desc.forced);
   m_view = std::make_unique<SceneView>(device.device, gpuScene, effects, m_desc.size, m_desc.seed);
 
   // Without a light that casts there is no shadow to compute: lighting alone, whatever the technique.
@@ -63,7 +59,7 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     inputs = m_technique->inputs();
   }
   m_camera = std::make_unique<CameraPass>(context(), folder, std::move(inputs),
-                                          info.ownsCameraPass ? nullptr : m_desc.transparency);
+                                          m_desc.transparency);
   m_bytes = difference(device.device.ledger().bytesByLabel(), before);
 }
 
@@ -73,12 +69,13 @@ Context Renderer::context() {
 
 FrameResult Renderer::frame(FrameMode mode) {
   return m_runner.run(mode, [&](Frame& frame) {
-    if (m_technique) {
-      m_technique->record(frame);
-      m_technique->recordCamera(frame, *m_camera);
-    } else {
-      m_camera->recordOpaque(frame);
-      m_camera->recordTranslucent(frame);
+    if (m_technique) m_technique->record(frame);
+    m_camera->recordOpaque(frame);
+    const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};
+    if (parts.empty()) m_camera->recordTranslucent(frame);
+    for (size_t i = 0; i < parts.size(); ++i) {
+      m_technique->recordPart(frame, i);
+      m_camera->recordTranslucent(frame, parts[i]);
     }
   });
 }

@@ -29,9 +29,9 @@ struct RendererDesc {
 /// Knobs of a pair: names are unique across both.
 std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency);
 
-/// Why a device cannot run a pair, or nothing.
+/// Why a device cannot run a pair with these knobs, or nothing.
 std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency);
+                                     const TechniqueInfo& transparency, const Knobs& knobs);
 
 class Renderer {
  public:

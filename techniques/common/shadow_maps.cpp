@@ -88,6 +88,26 @@ ShadowMaps::ShadowMaps(const Context& context, float step) {
   }
 }
 
+rhi::Texture ShadowMaps::createLike(const Context& context, const std::string& label,
+                                    rhi::Format format, uint32_t layers) const {
+  const bool depth = rhi::formatInfo(format).depth;
+  const rhi::FormatCaps caps = context.device.formatCaps(format);
+  if (depth ? !caps.depthTarget : !caps.colorTarget || !caps.blend)
+    throw rhi::Error(label, "",
+                     "the device cannot " + std::string(depth ? "render to " : "blend into ") +
+                         std::string(rhi::formatInfo(format).name));
+  using U = rhi::TextureUse;
+  return context.device.createTexture(
+      {.label = label,
+       .kind = rhi::TextureKind::Tex2DArray,
+       .format = format,
+       .width = m_size,
+       .height = m_size,
+       .layers = layers > 0 ? layers : std::max(1u, m_layers),
+       .use = (depth ? U::DepthTarget : U::ColorTarget) | U::Sampled | U::CopySource |
+              U::CopyTarget});
+}
+
 rhi::Binding ShadowMaps::passBlock(size_t view) const {
   return rhi::uniformAt(UNIFORM_PASS, m_passBlocks, view * m_passStride, 16);
 }

@@ -26,6 +26,10 @@ class ShadowMaps {
   uint32_t layers() const { return m_layers; }
   rhi::Format depthFormat() const { return m_depthFormat; }
   const rhi::Texture& depth() const { return m_depth; }
+  /// Another map of the same size, one layer a view unless `layers` says otherwise. Throws
+  /// rhi::Error when the device cannot render to, or blend, the format.
+  rhi::Texture createLike(const Context& context, const std::string& label, rhi::Format format,
+                          uint32_t layers = 0) const;
   rhi::SamplerId pointSampler() const { return m_pointSampler; }
 
   /// Half a lookup's width for a light: texels of the filter, and where in its texel a receiver lies.

@@ -32,8 +32,11 @@ struct TechniqueInfo {
   std::vector<KnobInfo> knobs;
   std::string error;   ///< what its error is by construction (spec 16's table)
   bool stochastic = false;
-  /// Replaces the camera pass by its own; no transparency technique goes with it.
-  bool ownsCameraPass = false;
+  /// Shadow techniques: with these knobs maps change between translucent surfaces, so that the
+  /// transparency technique must be able to draw them part by part. Null: never.
+  std::function<bool(const Knobs&)> drawsInParts;
+  /// Transparency techniques: with these knobs parts can be drawn one after another. Null: never.
+  std::function<bool(const Knobs&)> drawsParts;
 };
 
 /// Everything a technique may use while it prepares.
@@ -61,8 +64,12 @@ class ShadowTechnique {
   /// Records the passes before the camera's (none when the plan calls for none).
   virtual void record(Frame& frame) = 0;
   virtual VisibilityInputs inputs() const = 0;
-  /// The camera's passes; only techniques that declare ownsCameraPass replace this.
-  virtual void recordCamera(Frame& frame, CameraPass& camera);
+  /// Groups of translucent instances that need maps of their own, in the order of drawing; empty
+  /// when the maps of `record` serve every receiver. Only with TechniqueInfo::drawsInParts.
+  virtual std::span<const std::vector<uint32_t>> parts() const { return {}; }
+  /// Records the passes that make the maps of one part, after those of `record` and of all parts
+  /// before it.
+  virtual void recordPart(Frame&, size_t) {}
   /// Textures that tests and `bench render` may look at: label and texture of each map.
   virtual std::vector<std::pair<std::string, rhi::TextureId>> maps() const { return {}; }
   /// How far lookups for a light (index into Scene::lights) reach: errors within that distance of a
@@ -77,6 +84,8 @@ class TransparencyTechnique {
   virtual void prepare(const Context& context, CameraPass& camera) = 0;
   /// Records the translucent surfaces over the opaque picture.
   virtual void record(Frame& frame, CameraPass& camera) = 0;
+  /// The same for some of them, after all parts behind these. Only with TechniqueInfo::drawsParts.
+  virtual void recordPart(Frame&, CameraPass&, std::span<const uint32_t>) {}
 };
 
 }  // namespace sb

@@ -12,7 +12,8 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shapes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/translucent_shadows_test.cpp)
 target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp

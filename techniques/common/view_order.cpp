@@ -1,0 +1,31 @@
+#include "techniques/common/view_order.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sb {
+
+double viewDepth(const SceneView& view, const glm::dvec3& relative) {
+  return -(view.camera().view * glm::dvec4(relative, 1)).z;
+}
+
+std::vector<uint32_t> backToFront(const SceneView& view, std::span<const uint32_t> instances) {
+  struct Entry {
+    double depth;
+    uint32_t key, instance;
+  };
+  std::vector<Entry> order;
+  for (const uint32_t i : instances) {
+    const Box box = instanceBounds(view.scene(), i, view.camera().eye);
+    order.push_back(
+        {-viewDepth(view, (box.min + box.max) * 0.5), view.scene().instances[i].key, i});
+  }
+  std::ranges::sort(order, [](const Entry& a, const Entry& b) {
+    return std::tie(a.depth, a.key) < std::tie(b.depth, b.key);
+  });
+  std::vector<uint32_t> out;
+  for (const Entry& e : order) out.push_back(e.instance);
+  return out;
+}
+
+}  // namespace sb
