@@ -1,8 +1,8 @@
 // Coloured stochastic shadow maps, CSSM2 (McGuire and Enderton, I3D 2011); spec 04. One pass a
 // light: opaque depth into the depth map and into three colour channels, then translucent casters
 // by MAX blending (depth is reversed: the nearest remains), each channel kept with probability
-// p = alpha (1 - t). N x N x 3 comparisons a receiver. Right in expectation at every receiver;
-// noise falls as 1/N, the filter blurs by N texels.
+// p = alpha (1 - t). N x N x 3 comparisons a receiver. Right in expectation at every receiver; noise
+// falls as 1/N, the filter blurs by N texels.
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/registry.h"
 #include "techniques/common/shadow_maps.h"
@@ -43,7 +43,8 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
         .constants = m_constants};
     // Depth alone when there are no channels; the channels alone when there are (they hold it too).
     const rhi::Texture& read = m_coloured ? m_colours : depth;
-    inputs.bindings.push_back(rhi::textureAt(TEXTURE_TECHNIQUE + 1, read, m_maps->pointSampler()));
+    inputs.bindings.push_back(
+        rhi::textureAt(TEXTURE_TECHNIQUE + 1, read, m_maps->pointSampler()));
     inputs.reads = {rhi::use(read.id(), rhi::Access::Sampled)};
     if (m_coloured) inputs.reads.push_back(rhi::use(depth.id(), rhi::Access::Sampled));
     return inputs;
@@ -65,18 +66,17 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
   void createColours(const Context& context) {
     const rhi::FormatCaps caps = context.device.formatCaps(m_colourFormat);
     if (!caps.colorTarget || !caps.blend)
-      throw rhi::Error("CSSM2", "",
-                       std::string("the device cannot blend into ") +
-                           std::string(rhi::formatInfo(m_colourFormat).name));
-    m_colours = context.device.createTexture({.label = "shadow map colours",
-                                              .kind = rhi::TextureKind::Tex2DArray,
-                                              .format = m_colourFormat,
-                                              .width = m_maps->size(),
-                                              .height = m_maps->size(),
-                                              .layers = std::max(1u, m_maps->layers()),
-                                              .use = rhi::TextureUse::ColorTarget |
-                                                     rhi::TextureUse::Sampled |
-                                                     rhi::TextureUse::CopySource});
+      throw rhi::Error("CSSM2", "", std::string("the device cannot blend into ") +
+                                        std::string(rhi::formatInfo(m_colourFormat).name));
+    m_colours = context.device.createTexture(
+        {.label = "shadow map colours",
+         .kind = rhi::TextureKind::Tex2DArray,
+         .format = m_colourFormat,
+         .width = m_maps->size(),
+         .height = m_maps->size(),
+         .layers = std::max(1u, m_maps->layers()),
+         .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled |
+                rhi::TextureUse::CopySource});
   }
 
   void createPipelines(const Context& context) {
@@ -117,14 +117,16 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
       colour.view = depth.view;
       colour.view.texture = m_colours;
     }
-    frame.pass(
-        {.label = "shadow map", .colors = std::span(&colour, m_coloured ? 1 : 0), .depth = depth},
-        PassGroup::Shadow, [&](rhi::CommandList& commands) {
-          DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
-          plain.draw(commands, m_opaque, view.opaque);
-          m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
-          if (m_translucent) m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
-        });
+    frame.pass({.label = "shadow map",
+                .colors = std::span(&colour, m_coloured ? 1 : 0),
+                .depth = depth},
+               PassGroup::Shadow, [&](rhi::CommandList& commands) {
+                 DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
+                 plain.draw(commands, m_opaque, view.opaque);
+                 m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+                 if (m_translucent)
+                   m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+               });
   }
 
   std::optional<ShadowMaps> m_maps;
@@ -152,19 +154,20 @@ std::vector<KnobInfo> knobs() {
 
 REGISTER_TECHNIQUE(
     ShadowTechnique, ColouredStochasticShadowMap,
-    (TechniqueInfo{
-        .name = "CSSM2",
-        .folder = "cssm2",
-        .title = "Coloured stochastic shadow maps, three depths a texel",
-        .paper = "McGuire, Enderton 2011",
-        .represents = kShadingEffects |
-                      EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
-                                Effect::TranslucentCasters, Effect::ColouredTransmission,
-                                Effect::TexturedTransmission, Effect::TranslucentReceivers,
-                                Effect::TranslucentOverlap},
-        .knobs = knobs(),
-        .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
-        .stochastic = true}));
+    (TechniqueInfo{.name = "CSSM2",
+                   .folder = "cssm2",
+                   .title = "Coloured stochastic shadow maps, three depths a texel",
+                   .paper = "McGuire, Enderton 2011",
+                   .represents = kShadingEffects |
+                                 EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
+                                           Effect::TranslucentCasters,
+                                           Effect::ColouredTransmission,
+                                           Effect::TexturedTransmission,
+                                           Effect::TranslucentReceivers,
+                                           Effect::TranslucentOverlap},
+                   .knobs = knobs(),
+                   .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
+                   .stochastic = true}));
 
 }  // namespace
 }  // namespace sb
