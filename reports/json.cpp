@@ -66,6 +66,7 @@ void putTimes(Json& out, const Record& r) {
   putWhy(out, r, "passes", r.passes.empty());
   for (const PassRecord& p : r.passes) {
     Json pass = {{"label", p.label},
+                 {"count", p.count},
                  {"ms", p.ms},
                  {"share", p.share},
                  {"draws", p.draws},

@@ -78,6 +78,7 @@ void readPlan(const Field& e, Record& r) {
 
 PassRecord readPass(const Field& f) {
   PassRecord pass{.label = f.at("label").text(),
+                  .count = f.at("count").integer<uint32_t>(),
                   .ms = f.at("ms").number(),
                   .share = f.at("share").number(),
                   .draws = f.at("draws").integer<uint64_t>(),

@@ -23,8 +23,10 @@ struct Distribution {
   uint32_t n = 0;
 };
 
+/// Passes of one label in a frame, summed.
 struct PassRecord {
   std::string label;
+  uint32_t count = 1;  ///< passes
   double ms = 0;     ///< median over stamped frames
   double share = 0;  ///< of the stamped frame
   uint64_t draws = 0;

@@ -92,7 +92,7 @@ class TranslucentShadows final : public ShadowTechnique {
                                     .dstColor = rhi::BlendFactor::OneMinusSrcAlpha,
                                     .srcAlpha = rhi::BlendFactor::Zero,
                                     .dstAlpha = rhi::BlendFactor::One};
-      m_order = lightOrder(context, *m_maps);
+      m_order = lightOrder(context, *m_maps, context.knobs.text("order"));
     }
     desc.constants.push_back({16, variant});
     m_colourPipeline = context.pipelines.get(desc);

@@ -76,7 +76,7 @@ std::string barTable(const PageModel& model, const ScenePart& part, const std::s
 
 std::vector<Part> passParts(const Record& r) {
   std::vector<Part> out;
-  for (const PassRecord& p : r.passes) out.push_back({p.label, p.ms, figure(p.ms) + " ms"});
+  for (const PassRecord& p : r.passes) out.push_back({p.count > 1 ? std::to_string(p.count) + " x " + p.label : p.label, p.ms, figure(p.ms) + " ms"});
   return out;
 }
 

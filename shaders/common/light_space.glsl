@@ -27,6 +27,7 @@ struct LightSample {
   float bias;     // added to the depth before a comparison: toward the light
   float texel;    // 1 / map size
   float layer;
+  uint view;      // index into shadowViews
 };
 
 // Face of a point light that looks at `d`: +x -x +y -y +z -z (techniques/common/light_data.cpp).
@@ -44,6 +45,7 @@ LightSample lightSample(uint light, Receiver r) {
   if (l.ids.y == NO_SHADOW) return s;
   uint index = l.ids.y;
   if (l.ids.x == LIGHT_POINT) index += cubeFace(r.position - l.positionRange.xyz);
+  s.view = index;
   ShadowViewData view = shadowViews[index];
   if (view.origin.w < 0.0) return s;
 

@@ -7,6 +7,7 @@ struct Receiver {
   vec3 normal;    // geometric, unit, toward the viewer; 0 in a medium
   vec3 dpdx;      // change of position to the next pixel, taken before any branch
   vec3 dpdy;
+  uint instance;  // index; surfaces only
   uint mesh;      // persistent mesh key
   uint key;       // persistent surface key: mesh, instance and triangle
   uvec2 pixel;

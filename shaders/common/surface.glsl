@@ -23,6 +23,7 @@ Receiver surfaceReceiver(InstanceData i, vec3 position) {
   vec3 n = normalToWorld(i, t.normalKey.xyz);
   n = n * inversesqrt(max(dot(n, n), 1e-38));
   r.normal = dot(n, position) > 0.0 ? -n : n;
+  r.instance = draw.ids.x;
   r.mesh = i.ids.w;
   r.key = surfaceKey(i.ids.w, i.ids.y, floatBitsToUint(t.normalKey.w));
   r.pixel = uvec2(gl_FragCoord.xy);

@@ -63,15 +63,17 @@ void summarisePasses(const Samples& samples, bool software, report::Record& reco
     const PassResult& p = frame.passes[i];
     const double ms = p.ms.value_or(0);
     (p.group == PassGroup::Shadow ? shadow : scene) += ms;
-    report::PassRecord pass{.label = p.label,
-                            .ms = ms,
-                            .share = total > 0 ? ms / total : 0,
-                            .draws = p.counters.draws,
-                            .triangles = p.counters.triangles,
-                            .fragments = {}};
+    auto pass = std::ranges::find(record.passes, p.label, &report::PassRecord::label);
+    if (pass == record.passes.end())
+      pass = record.passes.insert(pass, {.label = p.label, .count = 0, .fragments = {}});
+    ++pass->count;
+    pass->ms += ms;
+    pass->share += total > 0 ? ms / total : 0;
+    pass->draws += p.counters.draws;
+    pass->triangles += p.counters.triangles;
     if (samples.counted && i < samples.counted->passes.size())
-      pass.fragments = samples.counted->passes[i].fragments;
-    record.passes.push_back(std::move(pass));
+      if (const auto& fragments = samples.counted->passes[i].fragments)
+        pass->fragments = pass->fragments.value_or(0) + *fragments;
   }
   record.shadowMs = shadow;
   record.sceneMs = scene;

@@ -4,23 +4,10 @@
 #include <cmath>
 
 #include "suites/scenes/analysis_parts.h"
+#include "techniques/common/mesh_shape.h"
 
 namespace sb {
 namespace {
-
-// Whether all triangles of a mesh lie in one plane, up to rounding of their positions.
-bool isFlat(const Mesh& mesh) {
-  glm::dvec3 normal(0);
-  const auto at = [&](size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
-  for (size_t t = 0; t + 2 < mesh.indices.size() && normal == glm::dvec3(0); t += 3)
-    normal = glm::cross(at(t + 1) - at(t), at(t + 2) - at(t));
-  if (normal == glm::dvec3(0)) return true;
-  normal = glm::normalize(normal);
-  const double size = glm::length(glm::dvec3(mesh.boundsMax) - glm::dvec3(mesh.boundsMin));
-  return std::ranges::all_of(mesh.indices, [&](uint32_t i) {
-    return std::abs(glm::dot(normal, glm::dvec3(mesh.positions[i]) - at(0))) <= 1e-6 * size;
-  });
-}
 
 std::string count(size_t n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
@@ -161,7 +148,7 @@ Analysis::Analysis(const Scene& s, double aspect)
   for (const Mesh& mesh : scene.meshes) {
     const MaterialTraits& t = traits.at(mesh.material);
     const bool matters = t.cameraTranslucent || t.lightClass == MaterialClass::Translucent;
-    flat.push_back(matters && isFlat(mesh));
+    flat.push_back(matters && planeOf(mesh).has_value());
   }
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes.at(instance.mesh);

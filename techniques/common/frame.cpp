@@ -1,6 +1,6 @@
 #include "techniques/common/frame.h"
 
-#include <cassert>
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -21,13 +21,16 @@ bool frameStampsAreFree(const rhi::Device& device) {
 
 }  // namespace
 
-FrameQueries::FrameQueries(rhi::Device& device) {
+FrameQueries::FrameQueries(rhi::Device& device) { grow(device, 255); }
+
+void FrameQueries::grow(rhi::Device& device, uint32_t passes) {
+  m_capacity = passes;
   m_stamps = device.createQueryPool(
-      {.label = "frame stamps", .kind = rhi::QueryKind::Timestamp, .count = kMaxPasses + 1});
+      {.label = "frame stamps", .kind = rhi::QueryKind::Timestamp, .count = passes + 1});
   if (device.supports(rhi::Feature::PipelineStatistics))
     m_statistics = device.createQueryPool({.label = "frame statistics",
                                            .kind = rhi::QueryKind::PipelineStatistics,
-                                           .count = kMaxPasses});
+                                           .count = passes});
 }
 
 Frame::Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode)
@@ -36,16 +39,16 @@ Frame::Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode)
 void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
                  const std::function<void(rhi::CommandList&)>& body) {
   const uint32_t index = uint32_t(m_passes.size());
-  assert(index < FrameQueries::kMaxPasses);
+  const bool hasQuery = index < m_queries.capacity();
   const rhi::Counters before = m_commands.counters();
   {
     rhi::PassScope scope = m_commands.beginPass(desc);
-    const bool count = m_mode == FrameMode::Counted && m_queries.hasStatistics() && !desc.compute;
+    const bool count = m_mode == FrameMode::Counted && m_queries.hasStatistics() && !desc.compute && hasQuery;
     if (count) m_commands.beginQuery(m_queries.statistics(), index);
     body(m_commands);
     if (count) m_commands.endQuery(m_queries.statistics(), index);
   }
-  if (m_mode == FrameMode::Stamped) m_commands.timestamp(m_queries.stamps(), index + 1);
+  if (m_mode == FrameMode::Stamped && hasQuery) m_commands.timestamp(m_queries.stamps(), index + 1);
   m_passes.push_back({.label = desc.label,
                       .group = group,
                       .counters = m_commands.counters() - before,
@@ -54,6 +57,13 @@ void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
 }
 
 FrameResult FrameRunner::run(FrameMode mode, const std::function<void(Frame&)>& record) {
+  FrameResult result = runOnce(mode, record);
+  if (mode == FrameMode::Plain || result.passes.size() <= m_queries.capacity()) return result;
+  m_queries.grow(m_device, uint32_t(result.passes.size()));
+  return runOnce(mode, record);
+}
+
+FrameResult FrameRunner::runOnce(FrameMode mode, const std::function<void(Frame&)>& record) {
   FrameResult result;
   const bool frameStamps = mode == FrameMode::Plain && frameStampsAreFree(m_device);
   const double wall0 = clockMs(CLOCK_MONOTONIC);
@@ -74,7 +84,7 @@ FrameResult FrameRunner::run(FrameMode mode, const std::function<void(Frame&)>& 
   result.cpuMs = clockMs(CLOCK_PROCESS_CPUTIME_ID) - cpu0;
 
   result.passes = std::move(frame.m_passes);
-  const uint32_t passes = uint32_t(result.passes.size());
+  const uint32_t passes = std::min(uint32_t(result.passes.size()), m_queries.capacity());
   if (frameStamps) {
     const auto t = m_device.readQueries(m_queries.stamps(), 0, 2);
     result.deviceMs = double(t[1] - t[0]) * 1e-6;

@@ -37,16 +37,20 @@ struct FrameResult {
   std::vector<PassResult> passes;
 };
 
-/// Query pools of a device for stamped and counted frames; shared by all cells of a device.
+/// Query pools of a device for stamped and counted frames; shared by all cells of a device. They grow
+/// with the longest frame.
 class FrameQueries {
  public:
-  static constexpr uint32_t kMaxPasses = 255;
   explicit FrameQueries(rhi::Device& device);
+  /// Between frames.
+  void grow(rhi::Device& device, uint32_t passes);
+  uint32_t capacity() const { return m_capacity; }  ///< passes of a frame
   rhi::QueryPoolId stamps() const { return m_stamps; }
   rhi::QueryPoolId statistics() const { return m_statistics; }
   bool hasStatistics() const { return bool(m_statistics); }
 
  private:
+  uint32_t m_capacity = 0;
   rhi::QueryPool m_stamps, m_statistics;
 };
 
@@ -76,6 +80,8 @@ class FrameRunner {
   FrameResult run(FrameMode mode, const std::function<void(Frame&)>& record);
 
  private:
+  FrameResult runOnce(FrameMode mode, const std::function<void(Frame&)>& record);
+
   rhi::Device& m_device;
   FrameQueries& m_queries;
 };

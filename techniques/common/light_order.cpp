@@ -34,9 +34,9 @@ double boxDepth(const LightView& view, const Box& box, bool nearest) {
 
 }  // namespace
 
-std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps) {
+std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
+                                   const std::string& how) {
   const Scene& scene = context.view.scene();
-  const std::string& how = context.knobs.text("order");
   std::vector<LightOrder> orders(maps.views().size());
   for (size_t v = 0; v < orders.size(); ++v) {
     const LightView& view = maps.views()[v];

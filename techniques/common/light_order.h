@@ -19,8 +19,9 @@ class LightOrder {
   void draw(rhi::CommandList& commands, DrawList& whole, rhi::PipelineId pipeline);
 };
 
-/// One order a view.
-std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps);
+/// One order a view. `how`: a value of the knob.
+std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
+                                   const std::string& how);
 
 /// Distance from the light of a camera-relative point, increasing: along the direction of a
 /// directional light, along the axis of a projected face otherwise.

@@ -85,7 +85,8 @@ std::vector<float> Renderer::readImage() {
 }
 
 std::vector<VisibilityImage> Renderer::readVisibility(uint32_t light) {
-  if (!m_visibility) m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera);
+  if (!m_visibility) m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera, m_technique.get(),
+                                                    m_device.queries);
   return m_visibility->render(light);
 }
 

@@ -16,8 +16,9 @@ bool isEmpty(const VisibilityImage& image) {
 
 }  // namespace
 
-VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& camera)
-    : m_context(context), m_camera(camera) {
+VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& camera,
+                                   ShadowTechnique* technique, FrameQueries& queries)
+    : m_context(context), m_camera(camera), m_technique(technique), m_queries(queries) {
   rhi::Device& device = context.device;
   const auto [width, height] = context.view.size();
   using U = rhi::TextureUse;
@@ -59,7 +60,6 @@ std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
 
 VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
   const SceneView& view = m_context.view;
-  const rhi::TextureId depth = layer == 0 ? m_opaqueDepth.id() : m_layerDepth[layer % 2].id();
   const rhi::TextureId previous = m_layerDepth[(layer + 1) % 2];
   const uint32_t ids[4] = {light, layer, 0, 0};
 
@@ -77,24 +77,44 @@ VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
   std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
   if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
   if (layer > 1) reads.push_back(rhi::use(previous, rhi::Access::Sampled));
-  const rhi::ColorAttachment color{.view = {.texture = m_target}};
   rhi::CommandList& commands = m_context.device.beginFrame();
   commands.write(m_pass, 0, std::as_bytes(std::span(ids)));
-  {
-    rhi::PassScope scope =
-        commands.beginPass({.label = "visibility",
-                            .colors = std::span(&color, 1),
-                            .depth = rhi::DepthAttachment{.view = {.texture = depth}},
-                            .reads = reads});
-    for (const CameraPass::Bucket& b : m_camera.m_buckets)
-      draws.draw(commands, b.doubleSided ? m_doubleSided : m_singleSided, b.instances);
-    if (layer > 0) draws.draw(commands, m_doubleSided, view.effects().visibleTranslucent);
-  }
+  recordLayer(commands, layer, draws, reads);
   m_context.device.wait(m_context.device.endFrame());
   const auto bytes = m_context.device.read(m_target);
   VisibilityImage image(bytes.size() / sizeof(float));
   std::memcpy(image.data(), bytes.data(), bytes.size());
   return image;
+}
+
+void VisibilityBuffer::recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
+                                   std::span<const rhi::ResourceUse> reads) {
+  const rhi::TextureId depth = layer == 0 ? m_opaqueDepth.id() : m_layerDepth[layer % 2].id();
+  const auto pass = [&](rhi::LoadOp load, const auto& body) {
+    const rhi::ColorAttachment color{.view = {.texture = m_target}, .load = load};
+    rhi::PassScope scope = commands.beginPass(
+        {.label = "visibility",
+         .colors = std::span(&color, 1),
+         .depth = rhi::DepthAttachment{.view = {.texture = depth}, .load = load},
+         .reads = reads});
+    body();
+  };
+  const auto drawTranslucent = [&](std::span<const uint32_t> instances) {
+    if (layer > 0) draws.draw(commands, m_doubleSided, instances);
+  };
+  const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};
+  Frame frame(commands, m_queries, FrameMode::Plain);
+  if (!parts.empty()) m_technique->record(frame);
+  pass(rhi::LoadOp::Clear, [&] {
+    for (const CameraPass::Bucket& b : m_camera.m_buckets)
+      draws.draw(commands, b.doubleSided ? m_doubleSided : m_singleSided, b.instances);
+    if (parts.empty()) drawTranslucent(m_context.view.effects().visibleTranslucent);
+  });
+  if (layer == 0) return;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    m_technique->recordPart(frame, i);
+    pass(rhi::LoadOp::Load, [&] { drawTranslucent(parts[i]); });
+  }
 }
 
 }  // namespace sb

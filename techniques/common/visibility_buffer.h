@@ -15,7 +15,9 @@ class VisibilityBuffer {
  public:
   static constexpr uint32_t kLayers = 4;
 
-  VisibilityBuffer(const Context& context, const CameraPass& camera);
+  /// `technique` may be null. One that makes maps between translucent surfaces makes them again.
+  VisibilityBuffer(const Context& context, const CameraPass& camera, ShadowTechnique* technique,
+                   FrameQueries& queries);
 
   /// Records and reads back. Call between frames. `light`: index among the lights that touch the
   /// view. Element 0 is the first opaque surface, 1..kLayers the layers from the eye.
@@ -23,9 +25,13 @@ class VisibilityBuffer {
 
  private:
   VisibilityImage renderLayer(uint32_t light, uint32_t layer);
+  void recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
+                   std::span<const rhi::ResourceUse> reads);
 
   const Context m_context;
   const CameraPass& m_camera;
+  ShadowTechnique* m_technique;
+  FrameQueries& m_queries;
   rhi::Texture m_target, m_opaqueDepth, m_layerDepth[2];
   rhi::Buffer m_pass;
   rhi::Sampler m_sampler;

@@ -22,7 +22,8 @@ std::vector<std::string> techniques(const TradeOff& t) {
 std::string marks(const std::vector<Record>& records) {
   const report::Run run = {.records = records};
   std::string out;
-  for (const TradePoint& p : tradeOffs(run).at(0).points)
+  const std::vector<TradeOff> all = tradeOffs(run);
+  for (const TradePoint& p : all.at(0).points)
     out += p.uncertain ? '?' : (p.front ? 'F' : '.');
   return out;
 }
