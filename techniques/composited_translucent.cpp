@@ -1,7 +1,8 @@
 // Composited translucent shadows (seed 000, section 4.2.3) and better partitions of it; spec 05.
 // Every translucent receiver reads the colour behind those casters alone that lie before it. Right
 // at every receiver up to texels and the rounding of the colour; no noise.
-//   partition=levels   one map a level of the light-space overlap graph, each caster drawn once; what
+//   partition=levels   one map a level of the light-space overlap graph, each caster drawn once;
+//   what
 //                    has no order (cycles, surfaces that shadow themselves) is peeled on its level
 //   partition=peeled   layers peeled from the light: exact per texel, a pass a layer
 //   partition=batches  one map, made anew for each run of receivers that may share it
@@ -62,8 +63,8 @@ class CompositedTranslucent final : public ShadowTechnique {
                             .reads = {},
                             .constants = m_constants};
     const auto bind = [&](uint32_t slot, rhi::TextureId map, bool read) {
-      inputs.bindings.push_back(rhi::textureAt(TEXTURE_TECHNIQUE + slot, read ? map : opaque,
-                                               m_maps->pointSampler()));
+      inputs.bindings.push_back(
+          rhi::textureAt(TEXTURE_TECHNIQUE + slot, read ? map : opaque, m_maps->pointSampler()));
       if (read) inputs.reads.push_back(rhi::use(map, rhi::Access::Sampled));
     };
     bind(0, opaque, true);
@@ -143,8 +144,8 @@ class CompositedTranslucent final : public ShadowTechnique {
       if (m_maps->views()[i].layer() < 0) continue;
       const LightOverlap overlap = lightOverlap(context.view, m_maps->views()[i]);
       LightLevels& levels = m_levels[i].levels;
-      levels = peeled ? onePeeledLevel(overlap)
-                      : lightLevels(overlap, context.knobs.integer("levels"));
+      levels =
+          peeled ? onePeeledLevel(overlap) : lightLevels(overlap, context.knobs.integer("levels"));
       m_levels[i].firstLayer = layers;
       if (!peeled) layers += uint32_t(levels.casters.size());
       for (const auto& group : levels.peeled)
@@ -159,7 +160,8 @@ class CompositedTranslucent final : public ShadowTechnique {
   /// The source's partition: each mesh alone, with all whose centres are nearer to the light.
   void planMeshes(const Context& context) {
     const std::vector<LightOrder> orders = lightOrder(context, *m_maps, "centre");
-    for (const uint32_t mesh : backToFront(context.view, context.view.effects().visibleTranslucent)) {
+    for (const uint32_t mesh :
+         backToFront(context.view, context.view.effects().visibleTranslucent)) {
       m_parts.push_back({mesh});
       auto& before = m_before.emplace_back(orders.size());
       for (size_t v = 0; v < orders.size(); ++v) {
@@ -202,10 +204,10 @@ class CompositedTranslucent final : public ShadowTechnique {
         if (group) entry = {entry.x, group->first, group->count, 0};
       }
     }
-    rhi::Buffer buffer = context.device.createBuffer(
-        {.label = "receiver layers",
-         .size = table.size() * sizeof table[0],
-         .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
+    rhi::Buffer buffer =
+        context.device.createBuffer({.label = "receiver layers",
+                                     .size = table.size() * sizeof table[0],
+                                     .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
     context.device.upload(buffer, 0, std::as_bytes(std::span(table)));
     return buffer;
   }
@@ -230,9 +232,16 @@ class CompositedTranslucent final : public ShadowTechnique {
     for (uint32_t level = 0; level < view.levels.casters.size(); ++level) {
       const uint32_t layer = view.firstLayer + level;
       if (level > 0)
-        frame.commands().copy(
-            {.texture = m_colour, .baseMip = 0, .mipCount = 1, .baseLayer = layer - 1, .layerCount = 1},
-            {.texture = m_colour, .baseMip = 0, .mipCount = 1, .baseLayer = layer, .layerCount = 1});
+        frame.commands().copy({.texture = m_colour,
+                               .baseMip = 0,
+                               .mipCount = 1,
+                               .baseLayer = layer - 1,
+                               .layerCount = 1},
+                              {.texture = m_colour,
+                               .baseMip = 0,
+                               .mipCount = 1,
+                               .baseLayer = layer,
+                               .layerCount = 1});
       recordColourPass(
           frame, *m_maps, m_maps->views()[i], m_colour, layer,
           [&](rhi::CommandList& commands) {
@@ -296,22 +305,21 @@ bool makesMapsBetween(const Knobs& knobs) {
 
 REGISTER_TECHNIQUE(
     ShadowTechnique, CompositedTranslucent,
-    (TechniqueInfo{.name = "CompositedTranslucent",
-                   .folder = "composited_translucent",
-                   .title = "Composited translucent shadows: a colour for each set of casters before "
-                            "a receiver",
-                   .paper = "seed 000, section 4.2.3; levels, batches and peeling: this project",
-                   .represents = kShadingEffects |
-                                 EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
-                                           Effect::TranslucentCasters,
-                                           Effect::ColouredTransmission,
-                                           Effect::TexturedTransmission,
-                                           Effect::TranslucentReceivers,
-                                           Effect::TranslucentOverlap},
-                   .knobs = knobs(),
-                   .error = "edges move by half a texel; partition source orders by centres, and "
-                            "coplanar layers peel as one",
-                   .drawsInParts = makesMapsBetween}));
+    (TechniqueInfo{
+        .name = "CompositedTranslucent",
+        .folder = "composited_translucent",
+        .title = "Composited translucent shadows: a colour for each set of casters before "
+                 "a receiver",
+        .paper = "seed 000, section 4.2.3; levels, batches and peeling: this project",
+        .represents = kShadingEffects |
+                      EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
+                                Effect::TranslucentCasters, Effect::ColouredTransmission,
+                                Effect::TexturedTransmission, Effect::TranslucentReceivers,
+                                Effect::TranslucentOverlap},
+        .knobs = knobs(),
+        .error = "edges move by half a texel; partition source orders by centres, and "
+                 "coplanar layers peel as one",
+        .drawsInParts = makesMapsBetween}));
 
 }  // namespace
 }  // namespace sb

@@ -28,9 +28,8 @@ void FrameQueries::grow(rhi::Device& device, uint32_t passes) {
   m_stamps = device.createQueryPool(
       {.label = "frame stamps", .kind = rhi::QueryKind::Timestamp, .count = passes + 1});
   if (device.supports(rhi::Feature::PipelineStatistics))
-    m_statistics = device.createQueryPool({.label = "frame statistics",
-                                           .kind = rhi::QueryKind::PipelineStatistics,
-                                           .count = passes});
+    m_statistics = device.createQueryPool(
+        {.label = "frame statistics", .kind = rhi::QueryKind::PipelineStatistics, .count = passes});
 }
 
 Frame::Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode)
@@ -43,7 +42,8 @@ void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
   const rhi::Counters before = m_commands.counters();
   {
     rhi::PassScope scope = m_commands.beginPass(desc);
-    const bool count = m_mode == FrameMode::Counted && m_queries.hasStatistics() && !desc.compute && hasQuery;
+    const bool count =
+        m_mode == FrameMode::Counted && m_queries.hasStatistics() && !desc.compute && hasQuery;
     if (count) m_commands.beginQuery(m_queries.statistics(), index);
     body(m_commands);
     if (count) m_commands.endQuery(m_queries.statistics(), index);

@@ -20,9 +20,9 @@ enum class PassGroup : uint8_t { Shadow, Scene };
 struct PassResult {
   std::string label;
   PassGroup group = PassGroup::Scene;
-  rhi::Counters counters;            ///< of this pass alone
-  std::optional<double> ms;          ///< stamped frames
-  std::optional<uint64_t> fragments; ///< counted frames: fragment shader invocations
+  rhi::Counters counters;             ///< of this pass alone
+  std::optional<double> ms;           ///< stamped frames
+  std::optional<uint64_t> fragments;  ///< counted frames: fragment shader invocations
 };
 
 /// What a frame took and did. Times in milliseconds.
@@ -31,14 +31,15 @@ struct FrameResult {
   double submitMs = 0;  ///< CPU wall time of endFrame
   double wallMs = 0;    ///< from the first command to completion
   double cpuMs = 0;     ///< process CPU time of all threads over the same span
-  std::optional<double> deviceMs;   ///< between stamps around the whole frame, where they cost nothing
+  std::optional<double>
+      deviceMs;  ///< between stamps around the whole frame, where they cost nothing
   std::optional<double> stampedMs;  ///< stamped frames: between the first and the last stamp
   rhi::Counters counters;
   std::vector<PassResult> passes;
 };
 
-/// Query pools of a device for stamped and counted frames; shared by all cells of a device. They grow
-/// with the longest frame.
+/// Query pools of a device for stamped and counted frames; shared by all cells of a device. They
+/// grow with the longest frame.
 class FrameQueries {
  public:
   explicit FrameQueries(rhi::Device& device);

@@ -10,8 +10,8 @@ using glm::dvec3;
 
 gpu::LightData lightData(const Light& light, uint32_t index, const dvec3& eye) {
   gpu::LightData d{};
-  d.positionRange = glm::vec4(glm::vec3(light.position - eye),
-                              light.range > 0 ? float(1 / light.range) : 0.0f);
+  d.positionRange =
+      glm::vec4(glm::vec3(light.position - eye), light.range > 0 ? float(1 / light.range) : 0.0f);
   // KHR_lights_punctual: smooth edge between the cosines of the two cones.
   const double cosOuter = std::cos(light.outerCone), cosInner = std::cos(light.innerCone);
   const double scale = 1 / std::max(1e-3, cosInner - cosOuter);

@@ -47,7 +47,8 @@ LightNode makeNode(const SceneView& view, const LightView& light, uint32_t i) {
   std::vector<glm::dvec3> points(node.corners.begin(), node.corners.end());
   if (mesh.positions.size() <= kExactOutline) {
     points.clear();
-    for (const glm::vec3& p : mesh.positions) points.push_back(linear * glm::dvec3(p) + translation);
+    for (const glm::vec3& p : mesh.positions)
+      points.push_back(linear * glm::dvec3(p) + translation);
   }
   const glm::dmat4 toClip(light.data.toClip);
   const glm::dvec3 origin(glm::vec3(light.data.origin));

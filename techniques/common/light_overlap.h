@@ -14,11 +14,11 @@ namespace sb {
 struct LightNode {
   uint32_t instance = 0;
   bool casts = false;
-  bool receives = false;         ///< in view, and light shows on it
-  std::vector<glm::dvec2> hull;  ///< outline on the map, clip coordinates
-  double nearest = 0, farthest = 0;       ///< from the light, see lightDepth
-  std::array<glm::dvec3, 8> corners{};    ///< of the mesh's box
-  std::optional<Plane> plane;             ///< of flat meshes
+  bool receives = false;                ///< in view, and light shows on it
+  std::vector<glm::dvec2> hull;         ///< outline on the map, clip coordinates
+  double nearest = 0, farthest = 0;     ///< from the light, see lightDepth
+  std::array<glm::dvec3, 8> corners{};  ///< of the mesh's box
+  std::optional<Plane> plane;           ///< of flat meshes
   /// Not flat: may lie in its own shadow.
   bool mayShadowItself() const { return casts && receives && !plane; }
 };
@@ -32,8 +32,8 @@ struct LightOverlap {
 
 /// Nodes are the view's translucent casters and all visible translucent surfaces. Two are related
 /// when their outlines overlap on the map and one casts on what the other receives; a lies before b
-/// when it is nearer everywhere, or a plane (of one of them if flat, or along a side of their boxes)
-/// has the light and a on one side and b on the other. What lies in one plane is unrelated.
+/// when it is nearer everywhere, or a plane (of one of them if flat, or along a side of their
+/// boxes) has the light and a on one side and b on the other. What lies in one plane is unrelated.
 LightOverlap lightOverlap(const SceneView& view, const LightView& light);
 
 }  // namespace sb

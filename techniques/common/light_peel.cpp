@@ -73,10 +73,10 @@ uint32_t LightPeel::countLayers(const Context& context, const PeelGroup& group,
       m_maps.casterPipeline(context, "layers counted", "light_peel/count.frag", false);
   desc.depth = {};
   desc.depthFormat = rhi::Format::Undefined;
-  desc.targets = {{.format = rhi::Format::RGBA16Float,
-                   .blend = {.enabled = true,
-                             .dstColor = rhi::BlendFactor::One,
-                             .dstAlpha = rhi::BlendFactor::One}}};
+  desc.targets = {
+      {.format = rhi::Format::RGBA16Float,
+       .blend = {
+           .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One}}};
   const rhi::PipelineId pipeline = context.pipelines.get(desc);
   DrawList draws(context.view,
                  {m_maps.passBlock(group.view),
@@ -129,13 +129,11 @@ void LightPeel::recordTail(Frame& frame, const PeelGroup& group) {
   const uint32_t at = group.first + group.count - 1;
   frame.commands().copy(layerOf(m_colour, at - 1), layerOf(m_colour, at));
   const rhi::ColorAttachment colour{.view = layerOf(m_colour, at), .load = rhi::LoadOp::Load};
-  const rhi::ResourceUse reads[] = {
-      rhi::use(m_maps.depth().id(), rhi::Access::Sampled),
-      rhi::use(layerOf(m_depth, at - 1), rhi::Access::Sampled)};
-  frame.pass({.label = "peeled tail", .colors = std::span(&colour, 1), .reads = reads},
-             PassGroup::Shadow, [&](rhi::CommandList& commands) {
-               m_draws[at].draw(commands, m_tail, group.instances);
-             });
+  const rhi::ResourceUse reads[] = {rhi::use(m_maps.depth().id(), rhi::Access::Sampled),
+                                    rhi::use(layerOf(m_depth, at - 1), rhi::Access::Sampled)};
+  frame.pass(
+      {.label = "peeled tail", .colors = std::span(&colour, 1), .reads = reads}, PassGroup::Shadow,
+      [&](rhi::CommandList& commands) { m_draws[at].draw(commands, m_tail, group.instances); });
 }
 
 }  // namespace sb

@@ -11,7 +11,7 @@ namespace sb {
 
 /// Casters of one view that are peeled together.
 struct PeelGroup {
-  size_t view = 0;                  ///< index into ShadowMaps::views
+  size_t view = 0;  ///< index into ShadowMaps::views
   std::vector<uint32_t> instances;
   uint32_t first = 0;  ///< array layer of the first
   uint32_t count = 0;  ///< array layers, the tail included

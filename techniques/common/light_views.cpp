@@ -82,7 +82,8 @@ Box receiverBox(const FitInput& in, const dmat3& axes) {
   return receivers;
 }
 
-/// Corner of the whole scene's light-space box: moves with the scene, stands still under the camera.
+/// Corner of the whole scene's light-space box: moves with the scene, stands still under the
+/// camera.
 dvec3 snapAnchor(const FitInput& in, const dmat3& axes) {
   Box all;
   for (uint32_t i = 0; i < in.scene.instances.size(); ++i)
@@ -123,8 +124,8 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   // Depth: receivers decide; casters nearer to the light are clamped to the near plane.
   double top = box.max.z, low = box.min.z;
   if (!in.settings.depthClamp)
-    for (const auto* list : {&effects.opaqueCasters, &effects.perforatedCasters,
-                             &effects.translucentCasters})
+    for (const auto* list :
+         {&effects.opaqueCasters, &effects.perforatedCasters, &effects.translucentCasters})
       for (uint32_t i : *list)
         top = std::max(top, instanceBounds(in.scene, i, in.camera.eye(), axes).max.z);
   const double margin = (top - low) * 0.01 + texel;
@@ -166,9 +167,9 @@ DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, cons
     for (uint32_t i : *list) consider(i, true);
   for (uint32_t i : in.receivers) consider(i, false);
   if (light.range > 0) farthest = std::min(farthest, light.range);
-  // The bounds of a caster may reach around the light although its surface does not. Integer formats
-  // cannot afford a near plane there: what lies nearer is then kept by depth clamp. Radial distances
-  // bound axial depths by sqrt(3).
+  // The bounds of a caster may reach around the light although its surface does not. Integer
+  // formats cannot afford a near plane there: what lies nearer is then kept by depth clamp. Radial
+  // distances bound axial depths by sqrt(3).
   const double least = farthest * (in.settings.depthStep > 0 ? 1e-4 : 1e-12);
   const double nearPlane = std::max(nearest / std::numbers::sqrt3 * 0.999, least);
   return {std::min(nearPlane, farthest * 0.5), farthest * 1.001};
@@ -181,8 +182,9 @@ bool touchesPyramid(const Box& b, double t, double farPlane) {
   return b.min.x <= reach && b.max.x >= -reach && b.min.y <= reach && b.max.y >= -reach;
 }
 
-void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& axes, double tangent,
-                  const DepthRange& range, uint32_t face, std::vector<LightView>& out) {
+void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& axes,
+                  double tangent, const DepthRange& range, uint32_t face,
+                  std::vector<LightView>& out) {
   const Light& light = in.scene.lights[effects.light];
   const double size = in.settings.mapSize;
   // Widen so that `tangent` falls guardTexels inside the border.

@@ -24,18 +24,18 @@ enum class LightFit : uint8_t {
 };
 
 struct LightFitSettings {
-  uint32_t mapSize = 1024;    ///< texels
-  uint32_t guardTexels = 2;   ///< margin for the filter: its radius plus one
+  uint32_t mapSize = 1024;   ///< texels
+  uint32_t guardTexels = 2;  ///< margin for the filter: its radius plus one
   LightFit fit = LightFit::Tight;
-  float depthStep = 0;        ///< of the map's format at depth 1
-  bool depthClamp = true;     ///< Feature::DepthClamp; without it near reaches to the casters
+  float depthStep = 0;     ///< of the map's format at depth 1
+  bool depthClamp = true;  ///< Feature::DepthClamp; without it near reaches to the casters
 };
 
 /// One layer to render and to look up.
 struct LightView {
   gpu::ShadowViewData data{};
-  uint32_t light = 0;                    ///< index into Scene::lights
-  uint32_t face = 0;                     ///< 0..5, point lights
+  uint32_t light = 0;  ///< index into Scene::lights
+  uint32_t face = 0;   ///< 0..5, point lights
   /// Casters that touch this view's volume, indices into Scene::instances, in scene order.
   std::vector<uint32_t> opaque, perforated, translucent;
   int layer() const { return int(data.origin.w); }  ///< of the map; -1: nothing to draw

@@ -68,10 +68,9 @@ VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
   extra.push_back(rhi::uniformAt(UNIFORM_PASS, m_pass));
   // The first passes have no earlier depth; whatever is bound there, they do not read it.
   const rhi::TextureId unread = view.gpu().textures(0).front().view.texture;
+  extra.push_back(rhi::textureAt(TEXTURE_PREVIOUS_LAYER, layer > 1 ? previous : unread, m_sampler));
   extra.push_back(
-      rhi::textureAt(TEXTURE_PREVIOUS_LAYER, layer > 1 ? previous : unread, m_sampler));
-  extra.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY,
-                                 layer > 0 ? m_opaqueDepth.id() : unread, m_sampler));
+      rhi::textureAt(TEXTURE_TRANSPARENCY, layer > 0 ? m_opaqueDepth.id() : unread, m_sampler));
   DrawList draws(view, std::move(extra), true);
 
   std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
@@ -92,11 +91,11 @@ void VisibilityBuffer::recordLayer(rhi::CommandList& commands, uint32_t layer, D
   const rhi::TextureId depth = layer == 0 ? m_opaqueDepth.id() : m_layerDepth[layer % 2].id();
   const auto pass = [&](rhi::LoadOp load, const auto& body) {
     const rhi::ColorAttachment color{.view = {.texture = m_target}, .load = load};
-    rhi::PassScope scope = commands.beginPass(
-        {.label = "visibility",
-         .colors = std::span(&color, 1),
-         .depth = rhi::DepthAttachment{.view = {.texture = depth}, .load = load},
-         .reads = reads});
+    rhi::PassScope scope =
+        commands.beginPass({.label = "visibility",
+                            .colors = std::span(&color, 1),
+                            .depth = rhi::DepthAttachment{.view = {.texture = depth}, .load = load},
+                            .reads = reads});
     body();
   };
   const auto drawTranslucent = [&](std::span<const uint32_t> instances) {

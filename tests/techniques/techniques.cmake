@@ -1,6 +1,7 @@
 # Techniques: their rules and invariants on the drivers, their passes and numbers without.
 target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/composited_translucent_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_expectation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/filter_test.cpp
@@ -17,6 +18,7 @@ target_sources(gpu_tests PRIVATE
 target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
