@@ -16,7 +16,7 @@ layout(binding = SLOT_STORAGE(STORAGE_TECHNIQUE), std430) readonly buffer Receiv
   uvec4 receivers[];
 };
 
-uvec4 receiverLayers;  // of the receiver that is looked up
+uvec4 receiverLayers = uvec4(0);  // of the receiver that is looked up
 
 vec3 tapColour(LightSample s, ivec2 texel, float depth) {
   if (kNearestDepth && depth >= texelFetch(t_translucentMap, ivec3(texel, int(s.layer)), 0).r)
