@@ -2,9 +2,10 @@
 // keeps on its way there. Mixed per tap, before averaging: a colour must not bleed over the outline
 // of what made it (spec 02, P3).
 
-// Calls tapColour(texel, s) for the lit taps of the filter; outside the map is lit. The including
-// shader has defined vec3 tapColour(LightSample s, ivec2 texel, float depth).
-vec3 filterOverOpaque(sampler2DArray opaque, LightSample s) {
+// Averages tapColour over the lit taps of the filter; outside the map is lit. The including shader
+// has defined vec3 tapColour(LightSample s, ivec2 texel, float depth, uvec4 which); `which` is handed
+// through.
+vec3 filterOverOpaque(sampler2DArray opaque, LightSample s, uvec4 which) {
   int size = textureSize(opaque, 0).x;
   ivec2 centre = ivec2(floor(s.uvz.xy * float(size)));
   int h = int(kKernel) / 2;
@@ -20,7 +21,7 @@ vec3 filterOverOpaque(sampler2DArray opaque, LightSample s) {
       if (outside)
         lit += vec3(w);
       else if (depth >= texelFetch(opaque, ivec3(texel, int(s.layer)), 0).r)
-        lit += w * tapColour(s, texel, depth);
+        lit += w * tapColour(s, texel, depth, which);
     }
   return lit / total;
 }

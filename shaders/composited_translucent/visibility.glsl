@@ -16,21 +16,19 @@ layout(binding = SLOT_STORAGE(STORAGE_TECHNIQUE), std430) readonly buffer Receiv
   uvec4 receivers[];
 };
 
-uvec4 receiverLayers = uvec4(0);  // of the receiver that is looked up
-
-vec3 tapColour(LightSample s, ivec2 texel, float depth) {
+vec3 tapColour(LightSample s, ivec2 texel, float depth, uvec4 layers) {
   if (kNearestDepth && depth >= texelFetch(t_translucentMap, ivec3(texel, int(s.layer)), 0).r)
     return vec3(1);
   vec3 colour = vec3(1);
-  if (receiverLayers.x > 0u)
-    colour = texelFetch(t_colourMap, ivec3(texel, int(receiverLayers.x) - 1), 0).rgb;
+  if (layers.x > 0u)
+    colour = texelFetch(t_colourMap, ivec3(texel, int(layers.x) - 1), 0).rgb;
   if (kPeeled) {
     int before = 0;
-    while (before < int(receiverLayers.z) &&
-           depth < texelFetch(t_peeledDepth, ivec3(texel, int(receiverLayers.y) + before), 0).r)
+    while (before < int(layers.z) &&
+           depth < texelFetch(t_peeledDepth, ivec3(texel, int(layers.y) + before), 0).r)
       ++before;
     if (before > 0)
-      colour *= texelFetch(t_peeledColour, ivec3(texel, int(receiverLayers.y) + before - 1), 0).rgb;
+      colour *= texelFetch(t_peeledColour, ivec3(texel, int(layers.y) + before - 1), 0).rgb;
   }
   return colour;
 }
@@ -40,6 +38,5 @@ vec3 lightVisibility(uint light, Receiver r) {
   LightSample s = lightSample(light, r);
   if (!s.inside) return vec3(1);
   if (!kTranslucent) return vec3(filterDepth(t_opaqueMap, s));
-  receiverLayers = receivers[1u + s.view * receivers[0].x + r.instance];
-  return filterOverOpaque(t_opaqueMap, s);
+  return filterOverOpaque(t_opaqueMap, s, receivers[1u + s.view * receivers[0].x + r.instance]);
 }
