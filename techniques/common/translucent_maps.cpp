@@ -3,7 +3,7 @@
 namespace sb {
 
 KnobInfo colourFormatKnob() {
-  return {.name = "format",
+  return {.name = "colour",
           .help = "of the shadow colour",
           .fallback = "rgba16f",
           .choices = {"rgba8", "rgba16f"},
@@ -11,7 +11,7 @@ KnobInfo colourFormatKnob() {
 }
 
 rhi::Format colourMapFormat(const Knobs& knobs) {
-  return knobs.is("format", "rgba8") ? rhi::Format::RGBA8Unorm : rhi::Format::RGBA16Float;
+  return knobs.is("colour", "rgba8") ? rhi::Format::RGBA8Unorm : rhi::Format::RGBA16Float;
 }
 
 rhi::GraphicsPipelineDesc colourPipeline(const Context& context, const ShadowMaps& maps,

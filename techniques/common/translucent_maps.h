@@ -6,7 +6,7 @@
 
 namespace sb {
 
-/// Knob `format` of the shadow colour: linear, 8 bits or half floats.
+/// Knob `colour`: format of the shadow colour: linear, 8 bits or half floats.
 KnobInfo colourFormatKnob();
 rhi::Format colourMapFormat(const Knobs& knobs);
 

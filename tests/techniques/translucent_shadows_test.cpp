@@ -90,7 +90,7 @@ GPU_TEST(TranslucentShadows, OneLayerOfEveryAlphaAndTransmission) {
            {std::pair{"energy", tau}, {"seed-product", product}, {"seed-blend", blend}})
         for (const char* format : {"rgba8", "rgba16f"}) {
           Cell cell(cellDevice(device()), fromBelow(stack({glass(alpha, glm::vec3(t))})),
-                    options({{"variant", variant}, {"format", format}}));
+                    options({{"variant", variant}, {"colour", format}}));
           const bool exact = std::string(variant) == "energy" && (alpha == 0 || alpha == 1) &&
                              (t == 0 || t == 1);  // spec 17, G10
           expectUniform(cell.visibility()[0], glm::dvec3(expected),
@@ -114,7 +114,7 @@ GPU_TEST(TranslucentShadows, ManyLayersRoundAsTheirFormat) {
   const std::vector<Material> layers(20, glass(0.5f, glm::vec3(0.8f)));  // tau .9, .1216 behind 20
   for (const auto& [format, tolerance] :
        {std::pair{"rgba8", 20 / 510.0}, {"rgba16f", 1e-2 * 0.1216}}) {
-    Cell cell(cellDevice(device()), stack(layers), options({{"format", format}}));
+    Cell cell(cellDevice(device()), stack(layers), options({{"colour", format}}));
     expectUniform(cell.visibility()[0], glm::dvec3(std::pow(0.9, 20)), tolerance, format);
   }
 }
