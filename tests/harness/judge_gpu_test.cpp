@@ -4,7 +4,7 @@
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

@@ -6,7 +6,7 @@
 
 #include "shaders/common/shared_hash.h"
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 

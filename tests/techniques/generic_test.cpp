@@ -6,7 +6,7 @@
 #include "suites/harness/verify.h"
 #include "suites/scenes/transform.h"
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

@@ -2,7 +2,7 @@
 // at the same kernel with manual comparison, bit by bit and pass by pass; effects that a scene does
 // not call for change nothing when they are forced (index 00, skip planner).
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

@@ -6,7 +6,7 @@
 
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/transform.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 #include "tests/techniques/tracer.h"
 
 using namespace sb;

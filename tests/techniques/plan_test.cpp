@@ -8,7 +8,7 @@
 
 #include "backends/null/null_backend.h"
 #include "tests/techniques/cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 namespace {

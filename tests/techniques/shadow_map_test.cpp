@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/techniques/gpu_cell.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 #include "tests/techniques/tracer.h"
 
 using namespace sb;

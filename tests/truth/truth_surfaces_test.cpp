@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/truth/tracer.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 namespace {

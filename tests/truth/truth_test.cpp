@@ -7,7 +7,7 @@
 #include "suites/scenes/procedural.h"
 #include "suites/scenes/transform.h"
 #include "suites/truth/tracer.h"
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 namespace {

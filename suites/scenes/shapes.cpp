@@ -1,9 +1,9 @@
-#include "tests/techniques/shapes.h"
+#include "suites/scenes/shapes.h"
 
 #include "suites/scenes/framing.h"
 #include "suites/scenes/mesh_tools.h"
 
-namespace sb::test {
+namespace sb {
 
 Material matte(glm::vec3 color) {
   Material m;
@@ -144,4 +144,4 @@ Scene floorScene(bool light) {
   return scene;
 }
 
-}  // namespace sb::test
+}  // namespace sb

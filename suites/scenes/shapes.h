@@ -1,11 +1,11 @@
-// Scenes built in code, small enough to be worked out by hand: quads, boxes, lights, an
-// orthographic camera, materials whose alpha and t are stated outright. Everything gets keys in
-// order.
+// Scenes built in code for tests and hard cases, small enough to be worked out by hand: quads,
+// boxes, lights, an orthographic camera, materials whose alpha and t are stated outright. Everything
+// gets keys in order.
 #pragma once
 
 #include "techniques/common/scene.h"
 
-namespace sb::test {
+namespace sb {
 
 /// Matte grey, opaque.
 Material matte(glm::vec3 color = glm::vec3(0.5f));
@@ -40,4 +40,4 @@ Camera lookAt(glm::dvec3 eye, glm::dvec3 target, double fovY = 1.0, double farPl
 /// (what lies higher casts unseen), the sun straight above. `light` false: no light yet.
 Scene floorScene(bool light = true);
 
-}  // namespace sb::test
+}  // namespace sb
