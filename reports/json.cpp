@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "reports/json_error.h"
+#include "reports/json_stability.h"
 #include "reports/stats/stats.h"
 
 namespace report {
@@ -186,8 +187,9 @@ std::string toJson(const Run& run) {
                   {"warnings", run.warnings}};
   Json benchmarks = Json::array();
   for (const Record& r : run.records) appendCell(benchmarks, r);
-  return Json{{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}}.dump(2) +
-         "\n";
+  Json out = {{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}};
+  for (const StabilityRecord& r : run.stability) out["stability"].push_back(stabilityToJson(r));
+  return out.dump(2) + "\n";
 }
 
 }  // namespace report

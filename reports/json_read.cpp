@@ -4,6 +4,7 @@
 #include <array>
 
 #include "reports/json_field.h"
+#include "reports/json_stability.h"
 #include "reports/json_read_error.h"
 
 namespace report {
@@ -214,6 +215,8 @@ Run fromJson(const std::string& text, const std::string& fileName) {
   const Field root(json, fileName);
   Run run = readContext(root.at("context"));
   run.records = readRecords(root.at("benchmarks"));
+  if (const auto cases = root.find("stability"))
+    for (const Field& field : cases->items()) run.stability.push_back(readStability(field));
   return run;
 }
 

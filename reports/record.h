@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reports/error_record.h"
+#include "reports/stability_record.h"
 
 namespace report {
 
@@ -128,6 +129,7 @@ struct Run {
   std::vector<double> loadAverage;
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;
+  std::vector<StabilityRecord> stability;  ///< hard cases
 };
 
 /// Fills everything but `records` and `warnings` from this machine.

@@ -66,6 +66,7 @@ REGISTER_TECHNIQUE(TransparencyTechnique, Sorted,
                                   .fallback = "mesh",
                                   .choices = {"mesh", "triangle"}}},
                        .error = "wrong order for large or intersecting surfaces",
+        .breaksIn = {{"camera crossing", "surfaces through one another have no order as wholes"}},
                        .drawsParts = [](const Knobs& knobs) { return knobs.is("sort", "mesh"); }}));
 
 }  // namespace

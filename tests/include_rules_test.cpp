@@ -27,8 +27,10 @@ const std::map<std::string, std::vector<std::string>> kAllowed = {
     {"suites/metrics", {"reports"}},
     {"suites/harness",
      {"suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports", "backends/rhi"}},
+    {"suites/stability",
+     {"suites/harness", "suites/scenes", "suites/truth", "techniques/common", "reports"}},
     {"suites/cli",
-     {"suites/harness", "suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports",
+     {"suites/harness", "suites/stability", "suites/scenes", "suites/truth", "suites/metrics", "techniques", "reports",
       "backends/rhi", "backends/shader", "backends/vulkan/vk_backend.h",
       "backends/opengl/gl_backend.h", "backends/null/null_backend.h"}},
 };

@@ -8,10 +8,12 @@
 #include <set>
 
 #include "reports/console.h"
+#include "reports/console_stability.h"
 #include "reports/console_tradeoff.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/outputs.h"
 #include "suites/cli/progress.h"
+#include "suites/cli/stability_runs.h"
 #include "suites/harness/group.h"
 #include "suites/harness/suite.h"
 #include "suites/scenes/procedural.h"
@@ -109,13 +111,18 @@ bool isSweep(const report::Run& run) {
   return false;
 }
 
-int exitCode(const report::Run& run, size_t cells) {
+/// `asked`: cells and hard cases.
+int exitCode(const report::Run& run, size_t asked) {
   if (g_interrupted) {
-    std::fprintf(stderr, "bench: interrupted; %zu of %zu cells are finished\n", run.records.size(),
-                 cells);
+    std::fprintf(stderr, "bench: interrupted; %zu of %zu cells are finished\n",
+                 run.records.size() + run.stability.size(), asked);
     return 128 + g_signal;
   }
   bool anyOk = false, anyFailed = false;
+  for (const report::StabilityRecord& r : run.stability) {
+    anyOk |= r.verdict != report::Verdict::Skipped;
+    anyFailed |= r.verdict == report::Verdict::Fail;
+  }
   for (const report::Record& r : run.records) {
     anyOk |= r.status == report::Status::Ok;
     anyFailed |= r.status == report::Status::Failed;
@@ -137,33 +144,43 @@ int measureCommand(const Options& given) {
   if (quick) selection.size = {256, 256};
 
   std::vector<CellId> cells;
+  std::vector<StabilityJob> jobs;
   if (options.suite.empty()) {
     cells = selectCells(selection, platform.names(), defaultBackends(options));
   } else {
     const Suite suite = loadSuite(options.suite);
     cells = suiteCells(suite, selection, platform.names(), defaultBackends(options));
+    jobs = stabilityJobs(suite, selection, defaultBackends(options));
+    if (cells.empty() && jobs.empty())
+      throw InputError("--filter", "'" + selection.filter + "' matches nothing of the suite");
     if (!options.seeds) options.seeds = suite.seeds;
     if (!options.budgetSeconds) options.budgetSeconds = suite.budgetSeconds;
     if (!options.precisionPercent) options.precisionPercent = suite.precisionPercent;
   }
   if (options.list) {
     for (const CellId& cell : cells) std::printf("%s\n", cellName(cell).c_str());
+    for (const StabilityJob& job : jobs) std::printf("%s\n", jobName(job).c_str());
     return 0;
   }
   Outputs outputs(options);
   checkScenes(cells, run);
   openBackends(options, devices, cells, run);
-  const size_t asked = cells.size();
+  const size_t asked = cells.size() + jobs.size();
 
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   measureAll(options, cells, devices, quick, outputs, run);
+  Progress progress(!options.quiet);
+  runStability(jobs, devices, run, g_interrupted, [&](const StabilityJob& job, size_t done) {
+    progress.update("hard cases", jobName(job), double(done) / double(jobs.size()));
+  });
   outputs.write(run, true);
   // With a format of the library's on the console, standard output is the library's alone.
   if (!options.benchmark.display && !run.records.empty()) {
     std::printf("%s", report::toTable(run).c_str());
     if (isSweep(run)) std::printf("\n%s", report::toTable(report::tradeOffs(run)).c_str());
   }
+  if (!options.benchmark.display) std::printf("%s", report::toTable(run.stability).c_str());
   runBenchmarks(options.benchmark, run.records);
   return exitCode(run, asked);
 }

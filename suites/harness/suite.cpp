@@ -139,6 +139,27 @@ SuiteRun parseRun(const Reader& reader, const toml::node& node, size_t index) {
   return run;
 }
 
+StabilityRun parseStability(const Reader& reader, const toml::node& node, size_t index) {
+  const std::string field = "stability " + std::to_string(index + 1);
+  const auto* table = node.as_table();
+  if (!table) reader.fail(node, field, "a table");
+  reader.requireKnown(*table, field, {"cases", "techniques"});
+  StabilityRun run{.where = reader.at(node) + ": " + field};
+  if (const auto* n = table->get("cases")) run.cases = reader.texts(*n, field + ".cases");
+  if (const auto* n = table->get("techniques"))
+    run.techniques = reader.texts(*n, field + ".techniques");
+  return run;
+}
+
+/// Calls `parse` for the tables [[name]], which may be missing.
+void eachTable(const Reader& reader, const toml::table& root, const char* name, const auto& parse) {
+  const toml::node* node = root.get(name);
+  if (!node) return;
+  const auto* list = node->as_array();
+  if (!list || list->empty()) reader.fail(*node, name, "tables [[" + std::string(name) + "]]");
+  for (size_t i = 0; i < list->size(); ++i) parse(*list->get(i), i);
+}
+
 std::vector<CellId> cellsOf(const Selection& selection, const std::vector<std::string>& known,
                             const std::vector<std::string>& defaults, const std::string& where) {
   try {
@@ -165,19 +186,21 @@ Suite parseSuite(std::string_view text, const std::string& file) {
     throw InputError(file + ":" + std::to_string(e.source().begin.line),
                      std::string(e.description()));
   }
-  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run"});
+  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run", "stability"});
   Suite suite{.name = file};
   if (const auto* n = root.get("title")) suite.title = reader.text(*n, "title");
   if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", 0));
   if (const auto* n = root.get("budget")) suite.budgetSeconds = reader.number(*n, "budget", 0);
   if (const auto* n = root.get("precision"))
     suite.precisionPercent = reader.number(*n, "precision", 0);
-  const toml::node* runs = root.get("run");
-  if (!runs) throw InputError(file, "has no [[run]]");
-  const auto* list = runs->as_array();
-  if (!list || list->empty()) reader.fail(*runs, "run", "tables [[run]]");
-  for (size_t i = 0; i < list->size(); ++i)
-    suite.runs.push_back(parseRun(reader, *list->get(i), i));
+  if (!root.get("run") && !root.get("stability"))
+    throw InputError(file, "has no [[run]] and no [[stability]]");
+  eachTable(reader, root, "run", [&](const toml::node& node, size_t i) {
+    suite.runs.push_back(parseRun(reader, node, i));
+  });
+  eachTable(reader, root, "stability", [&](const toml::node& node, size_t i) {
+    suite.stability.push_back(parseStability(reader, node, i));
+  });
   return suite;
 }
 
@@ -201,6 +224,7 @@ Suite loadSuite(const std::string& nameOrFile) {
 std::vector<CellId> suiteCells(const Suite& suite, const Selection& over,
                                const std::vector<std::string>& knownBackends,
                                const std::vector<std::string>& defaultBackends) {
+  if (suite.runs.empty()) return {};
   std::vector<CellId> cells;
   std::set<std::string> names;
   for (const SuiteRun& run : suite.runs)

@@ -9,7 +9,10 @@
 //   set.kernel = 3                   optional: the same for all cells
 //   grid.size = [512, 1024]          optional: every combination of these
 //   sweep.kernel = [1, 3, 9]         optional: one knob at a time, the others at their defaults
-// A knob that a technique does not have is left out for it.
+// A knob that a technique does not have is left out for it. Beside runs, or without any:
+//   [[stability]]                    hard cases (suites/stability)
+//   cases = ["G1", ...]              optional: ids; without it all
+//   techniques = ["CSSM2", ...]      optional: without it all
 #pragma once
 
 #include <optional>
@@ -26,6 +29,12 @@ struct SuiteRun {
   std::vector<Selection> selections;  ///< whose cells together are the run's
 };
 
+/// Hard cases to ask of techniques; empty lists: all.
+struct StabilityRun {
+  std::string where;  ///< as in SuiteRun
+  std::vector<std::string> cases, techniques;
+};
+
 struct Suite {
   std::string name;
   std::string title;
@@ -33,6 +42,7 @@ struct Suite {
   std::optional<double> budgetSeconds;
   std::optional<double> precisionPercent;
   std::vector<SuiteRun> runs;
+  std::vector<StabilityRun> stability;
 };
 
 /// Names of the suites that the program brings.

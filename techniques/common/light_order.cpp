@@ -17,7 +17,9 @@ KnobInfo lightOrderKnob() {
 double lightDepth(const LightView& view, const glm::dvec3& relative) {
   const glm::dvec4 clip = glm::dmat4(view.data.toClip) *
                           glm::dvec4(relative - glm::dvec3(glm::vec3(view.data.origin)), 1);
-  return view.data.texel.w > 0 ? clip.w : -clip.z;  // depth is reversed
+  if (view.data.texel.w > 0) return clip.w;
+  const auto& m = view.data.toClip;  // depth is reversed, and 1 over the depth of the map's volume
+  return -clip.z / glm::length(glm::dvec3(m[0].z, m[1].z, m[2].z));
 }
 
 namespace {

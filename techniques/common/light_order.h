@@ -23,8 +23,8 @@ class LightOrder {
 std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
                                    const std::string& how);
 
-/// Distance from the light of a camera-relative point, increasing: along the direction of a
-/// directional light, along the axis of a projected face otherwise.
+/// Distance from the light of a camera-relative point, world units: along the direction of a
+/// directional light (from any origin), along the axis of a projected face otherwise.
 double lightDepth(const LightView& view, const glm::dvec3& relative);
 
 }  // namespace sb

@@ -6,6 +6,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/regression_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_run.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/stability_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stats_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tradeoff_cells.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tradeoff_console_test.cpp

@@ -1,0 +1,48 @@
+// One property of a technique in a dangerous configuration, measured (spec 17): what was found,
+// what is allowed and why, and where it breaks.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+enum class Verdict : uint8_t {
+  Pass,
+  Expected,  ///< beyond the tolerance, by an error that the technique has by construction: `why`
+  Fail,
+  Skipped,  ///< could not be run here: `why`
+};
+std::string_view verdictName(Verdict verdict);  ///< "PASS", "EXPECTED", "FAIL", "skipped"
+
+struct StabilityPoint {
+  double x = 0;      ///< the dangerous parameter
+  double value = 0;  ///< what was found there
+  double tolerance = 0;
+};
+
+struct StabilityRecord {
+  std::string id;         ///< of the case: "G1"
+  std::string title;      ///< what is done to the technique
+  std::string property;   ///< what must hold, with the unit of `value`
+  std::string reason;     ///< of the tolerance
+  std::string technique;  ///< TECHNIQUE[+TRANSPARENCY]
+  std::string backend;
+  std::string parameter;     ///< of the curve, with its unit; "": one configuration
+  bool logarithmic = false;  ///< the parameter spans magnitudes
+  std::vector<StabilityPoint> curve;
+  std::optional<double> breaksAt;  ///< first parameter beyond the tolerance
+  Verdict verdict = Verdict::Pass;
+  std::string why;  ///< of every verdict but Pass
+
+  /// The point that exceeds its tolerance most, or comes nearest to it. Null without points.
+  const StabilityPoint* worst() const;
+};
+
+/// Verdict and breaking point from the curve. `expected`: what error by construction excuses points
+/// beyond their tolerance; empty: none does.
+void judge(StabilityRecord& record, const std::string& expected);
+
+}  // namespace report

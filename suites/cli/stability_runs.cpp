@@ -1,0 +1,53 @@
+#include "suites/cli/stability_runs.h"
+
+#include <optional>
+#include <set>
+
+#include "techniques/common/error.h"
+
+namespace sb {
+
+std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& over,
+                                        const std::vector<std::string>& defaultBackends) {
+  const auto& backends = over.backends.empty() ? defaultBackends : over.backends;
+  std::vector<StabilityJob> jobs;
+  std::set<std::string> names;
+  for (const StabilityRun& run : suite.stability) {
+    try {
+      const auto& techniques = over.techniques.empty() ? run.techniques : over.techniques;
+      for (StabilityJob& job : stabilityJobs(techniques, run.cases, backends, over.filter))
+        if (names.insert(jobName(job)).second) jobs.push_back(std::move(job));
+    } catch (const InputError& e) {
+      throw InputError(run.where, e.what());
+    }
+  }
+  return jobs;
+}
+
+namespace {
+
+report::StabilityRecord runOne(const StabilityJob& job, Devices& devices) {
+  DeviceSession* session = devices.open(job.backend);
+  if (!session)
+    return skippedStability(job, "the backend does not start: " + devices.why(job.backend));
+  // The other API, not the other way to the same one.
+  const std::string other = job.backend == "vulkan" ? "opengl" : "vulkan";
+  DeviceSession* second = devices.open(other);
+  const DeviceContext device = session->context();
+  std::optional<DeviceContext> otherDevice;
+  if (second) otherDevice.emplace(second->context());
+  return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false);
+}
+
+}  // namespace
+
+void runStability(const std::vector<StabilityJob>& jobs, Devices& devices, report::Run& run,
+                  const std::atomic<bool>& interrupted,
+                  const std::function<void(const StabilityJob&, size_t)>& progress) {
+  for (size_t i = 0; i < jobs.size() && !interrupted; ++i) {
+    progress(jobs[i], i);
+    run.stability.push_back(runOne(jobs[i], devices));
+  }
+}
+
+}  // namespace sb

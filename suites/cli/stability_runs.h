@@ -1,0 +1,23 @@
+// The hard cases of a suite, from the command line.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "suites/cli/options.h"
+#include "suites/harness/devices.h"
+#include "suites/harness/suite.h"
+#include "suites/stability/stability.h"
+
+namespace sb {
+
+/// Jobs of all [[stability]] tables. Throws InputError with file, line and field.
+std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& over,
+                                        const std::vector<std::string>& defaultBackends);
+
+/// Runs jobs until interrupted; `finished` after each.
+void runStability(const std::vector<StabilityJob>& jobs, Devices& devices, report::Run& run,
+                  const std::atomic<bool>& interrupted,
+                  const std::function<void(const StabilityJob& next, size_t done)>& progress);
+
+}  // namespace sb

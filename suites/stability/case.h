@@ -1,0 +1,46 @@
+// Hard cases (spec 17): a configuration that is dangerous, a property that must hold, a tolerance
+// with its reason. A case builds scenes, renders them by one technique and returns what it found.
+#pragma once
+
+#include "reports/stability_record.h"
+#include "suites/stability/probe.h"
+
+namespace sb {
+
+/// What a case found, before its verdict.
+struct Found {
+  std::vector<report::StabilityPoint> curve;
+  /// Error by construction that excuses what exceeds the tolerance; empty: nothing does.
+  std::string expected;
+};
+
+struct StabilityCase {
+  std::string id;
+  std::string title;
+  std::string property;        ///< what must hold, with the unit of values
+  std::string reason;          ///< of the tolerance
+  std::string parameter = "";  ///< of the curve, with its unit; "": configurations without order
+  bool logarithmic = false;
+  /// Asks something of shadows (else of camera transparency).
+  bool ofShadows = true;
+  /// Why a technique is not asked, or "": it is.
+  std::string (*leavesOut)(const CaseContext&) = nullptr;
+  Found (*run)(const CaseContext&) = nullptr;
+};
+
+/// All cases, in the order of spec 17.
+const std::vector<StabilityCase>& stabilityCases();
+
+// One file each.
+std::vector<StabilityCase> genericCases();       ///< G1-G11
+std::vector<StabilityCase> opaqueCases();        ///< rows of spec 01
+std::vector<StabilityCase> translucentCases();   ///< rows of specs 02-05
+std::vector<StabilityCase> transparencyCases();  ///< rows of spec 15
+std::vector<StabilityCase> tortureCases();       ///< H2, H3, H4, H7, H8
+
+/// 4 sigma of a mean of n draws that are 1 with probability q (N7).
+double fourSigma(double q, double n);
+/// What the technique says its error is, when it does not represent `effect`; else "".
+std::string missing(const CaseContext& context, Effect effect);
+
+}  // namespace sb

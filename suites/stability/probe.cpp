@@ -1,0 +1,123 @@
+#include "suites/stability/probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "suites/harness/verify.h"
+#include "suites/scenes/analysis.h"
+#include "suites/truth/tracer.h"
+
+namespace sb {
+namespace {
+
+Knobs knobsFor(const CaseContext& context, const ProbeOptions& options) {
+  const auto infos = knobsOf(context.info(), context.transparencyInfo());
+  std::map<std::string, std::string> given;
+  for (const auto& [name, value] : options.knobs)
+    if (std::ranges::find(infos, name, &KnobInfo::name) != infos.end()) given[name] = value;
+  if (std::ranges::find(infos, "size", &KnobInfo::name) != infos.end())
+    given.try_emplace("size", "256");
+  return Knobs::resolve(infos, given);
+}
+
+/// Whether the truth takes this value within the reach of lookups around a point.
+bool explained(const Tracer& tracer, uint32_t light, const Tracer::Point& point,
+               const LookupReach& reach, const float* value) {
+  const Tracer::Range range = tracer.visibilityNear(light, point, reach);
+  bool inside = true, varies = false;
+  for (int c = 0; c < 3; ++c) {
+    inside &= value[c] >= range.low[c] - 1e-3 && value[c] <= range.high[c] + 1e-3;
+    varies |= range.high[c] > range.low[c];
+  }
+  return inside && varies;
+}
+
+double cosine(const Scene& scene, uint32_t light, const Tracer::Point& point) {
+  const Light& l = scene.lights[light];
+  const glm::dvec3 toLight = l.type == LightType::Directional
+                                 ? -l.direction
+                                 : l.position - scene.camera().eye() - point.position;
+  return std::max(0.0, glm::dot(point.normal, glm::normalize(toLight)));
+}
+
+}  // namespace
+
+Probe::Probe(const CaseContext& context, Scene scene, const ProbeOptions& options)
+    : m_scene(std::move(scene)), m_options(options) {
+  const DeviceContext& device = options.onOther ? *context.other : context.device;
+  m_effects = analyse(m_scene, double(options.size.width) / options.size.height);
+  m_gpuScene = std::make_unique<GpuScene>(device.device, m_scene);
+  m_renderer = std::make_unique<Renderer>(
+      device, *m_gpuScene, m_effects,
+      RendererDesc{.technique = &shadowTechnique(context.technique),
+                   .transparency = &transparencyTechnique(context.transparency),
+                   .knobs = knobsFor(context, options),
+                   .size = options.size,
+                   .seed = options.seed,
+                   .forced = {}});
+  m_renderer->frame();
+}
+
+report::Picture Probe::picture() {
+  return {m_options.size.width, m_options.size.height, m_renderer->readImage()};
+}
+
+const std::vector<VisibilityImage>& Probe::visibility(uint32_t light) {
+  auto [it, isNew] = m_visibility.try_emplace(light);
+  if (isNew) it->second = m_renderer->readVisibility(light);
+  return it->second;
+}
+
+glm::dvec3 Probe::meanVisibility(uint32_t layer, uint32_t light) {
+  const auto [width, height] = m_options.size;
+  const VisibilityImage& image = visibility(light)[layer];
+  glm::dvec3 sum(0);
+  double count = 0;
+  for (uint32_t y = height / 4; y < height * 3 / 4; ++y)
+    for (uint32_t x = width / 4; x < width * 3 / 4; ++x) {
+      const float* v = image.data() + 4 * (size_t(y) * width + x);
+      if (v[3] == 0) continue;
+      sum += glm::dvec3(v[0], v[1], v[2]);
+      ++count;
+    }
+  return sum / count;  // not a number where nothing is: no case allows that
+}
+
+double pictureDifference(Probe& a, Probe& b) { return maxDifference255(a.picture(), b.picture()); }
+
+TruthDifference truthDifference(Probe& probe) {
+  const report::Picture picture = probe.picture();
+  const Tracer tracer(probe.scene(), picture.width, picture.height);
+  const auto truth = tracer.trace({.width = picture.width, .height = picture.height});
+  TruthDifference out;
+  size_t badlyLit = 0;
+  for (uint32_t index = 0; index < probe.renderer().lightCount(); ++index) {
+    const uint32_t light = probe.renderer().sceneLight(index);
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
+      const auto& expected = truth->visibility[light * kTruthLayers + layer];
+      const auto& edges = truth->edges[light * kTruthLayers + layer];
+      const VisibilityImage& image = probe.visibility(index)[layer];
+      for (uint32_t p = 0; p < edges.size(); ++p) {
+        const float *t = expected.data() + 4 * p, *v = image.data() + 4 * p;
+        if (t[3] == 0 || v[3] == 0 || edges[p]) continue;
+        double worst = 0;
+        for (size_t c = 0; c < 3; ++c) {
+          out.mean += double(v[c]) - double(t[c]);
+          worst = std::max(worst, std::abs(double(v[c]) - double(t[c])));
+        }
+        out.compared += 3;
+        if (worst == 0) continue;
+        const auto point = tracer.pointAt(p % picture.width, p / picture.width, layer);
+        if (!point || explained(tracer, light, *point, probe.renderer().reach(light), v)) continue;
+        out.worst = std::max(out.worst, worst);
+        const double shaded = worst * cosine(probe.scene(), light, *point);
+        badlyLit += shaded > 0.1 ? 3 : 0;
+      }
+    }
+  }
+  out.mean /= double(std::max<size_t>(1, out.compared));
+  out.badlyLitShare = double(badlyLit) / double(std::max<size_t>(1, out.compared));
+  return out;
+}
+
+}  // namespace sb

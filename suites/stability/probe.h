@@ -1,0 +1,67 @@
+// One frame of a technique on a scene, and what cases compare of it.
+#pragma once
+
+#include "reports/picture.h"
+#include "suites/truth/truth.h"
+#include "techniques/common/registry.h"
+#include "techniques/common/renderer.h"
+
+namespace sb {
+
+/// What every case of one technique shares.
+struct CaseContext {
+  DeviceContext device;
+  const DeviceContext* other = nullptr;  ///< of another API; null: there is none
+  std::string technique;
+  std::string transparency;
+  bool quick = false;  ///< fewer and smaller points, for tests
+  const TechniqueInfo& info() const { return shadowTechnique(technique).info; }
+  const TechniqueInfo& transparencyInfo() const { return transparencyTechnique(transparency).info; }
+  bool represents(Effect effect) const { return info().represents.has(effect); }
+};
+
+struct ProbeOptions {
+  std::map<std::string, std::string> knobs = {};  ///< those that the technique has; size: 256
+  rhi::Extent2D size = {96, 64};
+  uint32_t seed = 0;
+  bool onOther = false;  ///< on the other API's device
+};
+
+class Probe {
+ public:
+  /// Renders one frame. Throws rhi::Error when the device refuses.
+  Probe(const CaseContext& context, Scene scene, const ProbeOptions& options = {});
+  Probe(const Probe&) = delete;
+
+  const Scene& scene() const { return m_scene; }
+  Renderer& renderer() { return *m_renderer; }
+  report::Picture picture();
+  /// Of a light that touches the view: first opaque surface, then layers from the eye.
+  const std::vector<VisibilityImage>& visibility(uint32_t light = 0);
+  /// Mean over the middle half of a layer, where a surface is.
+  glm::dvec3 meanVisibility(uint32_t layer, uint32_t light = 0);
+
+ private:
+  Scene m_scene;
+  Effects m_effects;
+  ProbeOptions m_options;
+  std::unique_ptr<GpuScene> m_gpuScene;
+  std::unique_ptr<Renderer> m_renderer;
+  std::map<uint32_t, std::vector<VisibilityImage>> m_visibility;
+};
+
+/// Largest difference of a channel, in 1/255.
+double pictureDifference(Probe& a, Probe& b);
+
+/// Visibility against the ray-traced truth over all lights and layers, at pixels away from the
+/// picture's edges. A value that the truth takes somewhere within the reach of the technique's
+/// lookups is no difference: there resolution alone decides.
+struct TruthDifference {
+  double worst = 0;          ///< largest difference of a channel
+  double mean = 0;           ///< signed, lookups at edges included
+  size_t compared = 0;       ///< values
+  double badlyLitShare = 0;  ///< of values that differ by more than 1/10 when multiplied by N.L
+};
+TruthDifference truthDifference(Probe& probe);
+
+}  // namespace sb

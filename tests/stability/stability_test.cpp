@@ -1,0 +1,58 @@
+// Every hard case of every technique at its small size: nothing fails that is not an error by
+// construction, and what must be found is found.
+#include "suites/stability/stability.h"
+
+#include "techniques/common/error.h"
+#include "tests/techniques/gpu_cell.h"
+
+using namespace sb;
+
+namespace {
+
+std::vector<report::StabilityRecord> runAll(test::CellDevice& device, const std::string& backend,
+                                            const std::string& filter) {
+  std::vector<report::StabilityRecord> records;
+  const DeviceContext context = device.context();
+  for (const StabilityJob& job : stabilityJobs({}, {}, {backend}, filter))
+    records.push_back(runStability(job, context, nullptr, true));
+  return records;
+}
+
+}  // namespace
+
+GPU_TEST(Stability, NothingFails) {
+  const auto records = runAll(test::cellDevice(device()), backend(), "");
+  EXPECT_GT(records.size(), 100u);
+  size_t passed = 0;
+  for (const report::StabilityRecord& r : records) {
+    passed += r.verdict == report::Verdict::Pass;
+    EXPECT_NE(r.verdict, report::Verdict::Fail)
+        << r.id << "/" << r.technique << ": found " << r.worst()->value << " at " << r.worst()->x
+        << ", allowed " << r.worst()->tolerance;
+  }
+  EXPECT_GT(passed, records.size() / 2);
+}
+
+GPU_TEST(Stability, WhatATechniqueCannotShowIsFound) {
+  for (const auto& [filter, verdict] : {std::pair{"^layers/ShadowMap/", report::Verdict::Expected},
+                                        {"^between/TranslucentShadows/", report::Verdict::Expected},
+                                        {"^between/CompositedTranslucent/", report::Verdict::Pass},
+                                        {"^camera crossing/none/", report::Verdict::Expected},
+                                        {"^G6/CSSM2/", report::Verdict::Skipped}}) {
+    const auto records = runAll(test::cellDevice(device()), backend(), filter);
+    ASSERT_EQ(records.size(), 1u) << filter;
+    EXPECT_EQ(records[0].verdict, verdict) << filter << " " << records[0].why;
+  }
+}
+
+TEST(StabilityJobs, AreNamedAndSelected) {
+  const auto all = stabilityJobs({}, {}, {"vulkan"}, "");
+  for (const StabilityJob& job : all)
+    EXPECT_EQ(job.technique == "none", job.caseId.starts_with("camera")) << jobName(job);
+  const auto some = stabilityJobs({"CSSM2"}, {"G1", "H7"}, {"vulkan", "opengl"}, "H7");
+  ASSERT_EQ(some.size(), 2u);
+  EXPECT_EQ(jobName(some[1]), "H7/CSSM2/opengl");
+  EXPECT_THROW(stabilityJobs({"CSM2"}, {}, {"vulkan"}, ""), InputError);
+  EXPECT_THROW(stabilityJobs({}, {"G99"}, {"vulkan"}, ""), InputError);
+  EXPECT_THROW(stabilityJobs({}, {}, {"vulkan"}, "("), InputError);
+}
