@@ -77,6 +77,9 @@ class TransparencyTechnique {
   virtual void prepare(const Context& context, CameraPass& camera) = 0;
   /// Records the translucent surfaces over the opaque picture.
   virtual void record(Frame& frame, CameraPass& camera) = 0;
+  /// What the last frame left out (lists that overflowed, layers beyond the last one): for people,
+  /// one line each. Called between frames.
+  virtual std::vector<std::string> warnings() { return {}; }
 };
 
 }  // namespace sb
