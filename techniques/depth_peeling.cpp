@@ -24,7 +24,8 @@ class DepthPeeling final : public TransparencyTechnique {
     createTargets(context);
 
     rhi::GraphicsPipelineDesc peel = camera.translucentPipeline("depth_peeling");
-    peel.depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less};
+    // Or equal: a layer may lie on the far plane, where the buffer was cleared to.
+    peel.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
     peel.constants.push_back({32, 0});
     m_peel = context.pipelines.get(peel);
     peel.constants.back().bits = 1;

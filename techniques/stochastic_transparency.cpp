@@ -4,8 +4,9 @@
 //   mode=basic      one pass and a composite: right in expectation, noise q (1 - q) / S
 //   mode=corrected  opacity of all layers together (exact, by blending), stochastic depths, colours
 //                   weighted by visibility, composite: four passes, far less noise, a small bias
-// With samples=4 the edges of translucent surfaces are those of the samples, not of pixel centres.
-// Of coplanar surfaces basic shows the first one drawn.
+// With samples=4 the edges of translucent surfaces are those of the samples, not of pixel centres,
+// and each triangle that shares a pixel draws numbers of its own.
+// Of coplanar surfaces basic shows the last one drawn.
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/camera_pass.h"
 #include "techniques/common/registry.h"
@@ -92,8 +93,9 @@ class StochasticTransparency final : public TransparencyTechnique {
     surfaces.samples = m_samples;
     surfaces.constants.push_back({32, m_samples});
     surfaces.constants.push_back({33, m_basic});
+    // Or equal in all passes: a layer may lie on the far plane, where the buffer was cleared to.
     if (m_basic)
-      surfaces.depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less};
+      surfaces.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
     else
       surfaces.targets.front().blend = {
           .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
@@ -116,7 +118,7 @@ class StochasticTransparency final : public TransparencyTechnique {
         camera.unshadedPipeline("stochastic_transparency/depth.frag");
     depths.samples = m_samples;
     depths.constants.push_back({32, m_samples});
-    depths.depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less};
+    depths.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
     depths.depthFormat = CameraPass::kDepthFormat;
     m_depths = context.pipelines.get(depths);
   }

@@ -25,15 +25,17 @@ vec4 colourOf(uint at) {
 
 // The layers that found no place, mixed by weight alone: 64-bit sums in units of 2^-16 of a colour
 // that is at most 65504, and of the logarithm of the transmittance.
-uvec4 tailLow = uvec4(0), tailHigh = uvec4(0);
-uint tailLog = 0u;
+struct Tail {
+  uvec4 low, high;
+  uint log;
+};
 
-void addToTail(vec4 color) {
+void addToTail(inout Tail tail, vec4 color) {
   uvec4 carry;
-  tailLow = uaddCarry(tailLow, uvec4(color * 65536.0), carry);
-  tailHigh += carry;
+  tail.low = uaddCarry(tail.low, uvec4(color * 65536.0), carry);
+  tail.high += carry;
   float density = color.a < 1.0 ? min(-log2(1.0 - color.a), 32.0) : 32.0;
-  tailLog = min(tailLog + uint(density * 65536.0), 0x40000000u);
+  tail.log = min(tail.log + uint(density * 65536.0), 0x40000000u);
 }
 
 void main() {
@@ -42,6 +44,7 @@ void main() {
   if (node == END_OF_LIST || gl_HelperInvocation) discard;
   uint capacity = uint(nodes.length()) / nodeWords();
   uint count = 0u;
+  Tail tail = Tail(uvec4(0), uvec4(0), 0u);
   for (uint i = 0u; i < capacity && node < capacity; ++i) {
     uint at = node * nodeWords();
     uint depth = nodes[at], key = nodes[at + 1u];
@@ -50,10 +53,10 @@ void main() {
                           (depth == depths[place - 1u] && key < keys[place - 1u])))
       --place;
     if (place >= kLayers) {
-      addToTail(colourOf(at));
+      addToTail(tail, colourOf(at));
     } else {
       if (count == kLayers)
-        addToTail(colourOf(words[kLayers - 1u]));
+        addToTail(tail, colourOf(words[kLayers - 1u]));
       else
         ++count;
       for (uint j = count - 1u; j > place; --j) {
@@ -74,10 +77,10 @@ void main() {
     color += through * layer.rgb;
     through *= 1.0 - layer.a;
   }
-  vec4 tail = vec4(tailHigh) * 65536.0 + vec4(tailLow) * (1.0 / 65536.0);
-  if (tail.a > 0.0) {
-    float tailThrough = exp2(-float(tailLog) * (1.0 / 65536.0));
-    color += through * (1.0 - tailThrough) * tail.rgb / tail.a;
+  vec4 sum = vec4(tail.high) * 65536.0 + vec4(tail.low) * (1.0 / 65536.0);
+  if (sum.a > 0.0) {
+    float tailThrough = exp2(-float(tail.log) * (1.0 / 65536.0));
+    color += through * (1.0 - tailThrough) * sum.rgb / sum.a;
     through *= tailThrough;
   }
   o_color = vec4(color, through);

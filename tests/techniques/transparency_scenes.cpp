@@ -18,8 +18,8 @@ Scene stack(const std::vector<Pane>& panes, glm::vec3 background) {
   scene.name = "stack";
   scene.background = background;
   for (size_t i = 0; i < panes.size(); ++i)
-    addQuad(scene, add(scene, shining(panes[i].color, panes[i].alpha)), {0, 0, -0.125f * float(i)},
-            {4, 0, 0}, {0, 4, 0});
+    addQuad(scene, add(scene, shining(panes[i].color, panes[i].alpha)), {2, -2, -0.125f * float(i)},
+            {8, 0, 0}, {0, 8, 0});
   scene.cameras.push_back(lookAt({0, 0, 3}, {0, 0, 0}, 0.6));
   return scene;
 }

@@ -11,6 +11,10 @@ namespace sb::test {
 inline const std::vector<std::string> kExactTransparency = {"DepthPeeling", "DualDepthPeeling",
                                                             "LinkedLists"};
 
+/// So nearly opaque that half floats cannot tell; 1 itself would make an opaque surface.
+inline constexpr float kAll = 1 - 0x1p-20f;
+
+/// Panes cover the picture with one of their two triangles.
 struct Pane {
   glm::vec3 color;
   float alpha = 0.5f;
