@@ -39,9 +39,11 @@ void addToTail(inout Tail tail, vec4 color) {
 }
 
 void main() {
+  // Return, not discard: lanes without coverage read zeros and would walk from node 0 to node 0.
+  if (gl_HelperInvocation) return;
   uvec2 pixel = uvec2(gl_FragCoord.xy);
   uint node = heads[pixel.y * frame.counts.y + pixel.x];
-  if (node == END_OF_LIST || gl_HelperInvocation) discard;
+  if (node == END_OF_LIST) discard;
   uint capacity = uint(nodes.length()) / nodeWords();
   uint count = 0u;
   Tail tail = Tail(uvec4(0), uvec4(0), 0u);
