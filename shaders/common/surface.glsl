@@ -14,6 +14,11 @@ TriangleData currentTriangle(InstanceData i) {
   return triangles[i.ids.z + index];
 }
 
+// Persistent key of the surface at hand (decision D2).
+uint currentSurfaceKey(InstanceData i) {
+  return surfaceKey(i.ids.w, i.ids.y, floatBitsToUint(currentTriangle(i).normalKey.w));
+}
+
 Receiver surfaceReceiver(InstanceData i, vec3 position) {
   Receiver r;
   r.position = position;

@@ -1,3 +1,4 @@
 // Sorted alpha blending: premultiplied, blended by ONE, ONE_MINUS_SRC_ALPHA.
 layout(location = 0) out vec4 o_color;
+bool beginFragment(float alpha) { return true; }
 void emitFragment(vec3 radiance, float alpha) { o_color = vec4(radiance * alpha, alpha); }

@@ -1,6 +1,9 @@
 #version 450
 // Translucent surfaces, lit through the technique's visibility and handed to the transparency
-// technique as premultiplied colour.
+// technique. Its emit.glsl defines
+//   bool beginFragment(float alpha)                 before shading: discards, or returns false when
+//                                                   the fragment needs no shading
+//   void emitFragment(vec3 radiance, float alpha)   radiance is not multiplied by alpha yet
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/transform.glsl"
@@ -20,5 +23,6 @@ void main() {
   float alpha = opticsAt(m, base, v_uv).cameraAlpha;
   // A layer that does not exist takes no part (spec 15).
   if (alpha <= 0.0) discard;
+  if (!beginFragment(alpha)) return;
   emitFragment(shadeSurface(m, r, base, v_normal, v_tangent, v_uv), alpha);
 }

@@ -34,7 +34,7 @@ void describe(std::string& out, const TechniqueInfo& info) {
 std::string footer() {
   std::string out = "Techniques and their knobs (--set knob=value[,value...]):\n";
   for (const auto* t : shadowTechniques()) describe(out, t->info);
-  out += "Camera transparency (--technique NAME+TRANSPARENCY):\n";
+  out += "Camera transparency (--technique NAME+TRANSPARENCY; NAME alone means NAME+Sorted):\n";
   for (const auto* t : transparencyTechniques()) describe(out, t->info);
   out += "Scenes (--scene NAME:param=value,... or a .gltf or .glb file):\n";
   for (const SceneInfo& s : proceduralScenes()) {

@@ -222,6 +222,8 @@ class Group {
 #ifndef NDEBUG
     addOnce(record.contamination, "this is a debug build");
 #endif
+    if (Renderer* renderer = a.subject->renderer())
+      for (const std::string& w : renderer->warnings()) addOnce(record.warnings, w);
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
     if (const std::string why = whyRefused(record); !why.empty())
       return report::refuse(record, why);

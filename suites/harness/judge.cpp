@@ -95,7 +95,11 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
   if (!renderer) {
     // The tracer asks the truth itself.
     record.visibility = report::VisibilityError{};
-    for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+    for (const char* key : {"noise", "certificate"})
+      record.why[key] = transparencyTechnique(id.transparency).info.stochastic &&
+                                renderer->plan().planned.has(Effect::CameraTransparency)
+                            ? "visibility is not random, only the mix of translucent surfaces is"
+                            : "nothing random runs";
     record.why["blame"] = "no error";
     return;
   }
@@ -106,7 +110,11 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
 
   std::vector<std::vector<SeedMoments>> moments;
   if (!isStochastic(id, renderer->plan()))
-    for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+    for (const char* key : {"noise", "certificate"})
+      record.why[key] = transparencyTechnique(id.transparency).info.stochastic &&
+                                renderer->plan().planned.has(Effect::CameraTransparency)
+                            ? "visibility is not random, only the mix of translucent surfaces is"
+                            : "nothing random runs";
   else if (m_settings.seeds < 2)
     for (const char* key : {"noise", "certificate"}) record.why[key] = "one seed alone was asked for";
   else

@@ -37,9 +37,7 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
   // Every pipeline may read the triangle order; only sorted triangles have one of their own.
   m_noOrder = context.device.createBuffer(
       {.label = "view triangle order", .size = 16, .use = rhi::BufferUse::Storage});
-  std::vector<rhi::Binding> extra = m_inputs.bindings;
-  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_noOrder));
-  m_drawList = DrawList(context.view, std::move(extra), true);
+  m_drawList = drawListWith({});
 
   const Scene& scene = context.view.scene();
   for (uint32_t i : context.view.effects().visibleOpaque) {
@@ -93,6 +91,40 @@ rhi::GraphicsPipelineDesc CameraPass::translucentPipeline(
   return desc;
 }
 
+rhi::GraphicsPipelineDesc CameraPass::unshadedPipeline(const std::string& fragment) const {
+  rhi::GraphicsPipelineDesc desc = surfacePipeline("translucent", "forward.frag", false);
+  desc.label = fragment;
+  desc.fragment = &m_context.shaders.get(fragment);
+  desc.constants =
+      declaredConstants({desc.vertex, desc.fragment}, {{0, m_context.view.gpu().textured()}});
+  desc.depth = {};
+  desc.targets = {};
+  desc.depthFormat = rhi::Format::Undefined;
+  return desc;
+}
+
+rhi::GraphicsPipelineDesc CameraPass::compositePipeline(const std::string& fragment) const {
+  return {.label = fragment,
+          .vertex = &m_context.shaders.get("common/fullscreen.vert"),
+          .fragment = &m_context.shaders.get(fragment),
+          .targets = {{.format = kColorFormat,
+                       .blend = {.enabled = true,
+                                 .dstColor = rhi::BlendFactor::SrcAlpha,
+                                 .srcAlpha = rhi::BlendFactor::Zero,
+                                 .dstAlpha = rhi::BlendFactor::One}}}};
+}
+
+DrawList CameraPass::drawListWith(std::span<const rhi::Binding> extra) const {
+  std::vector<rhi::Binding> all = m_inputs.bindings;
+  all.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_noOrder));
+  all.insert(all.end(), extra.begin(), extra.end());
+  return DrawList(m_context.view, std::move(all), true);
+}
+
+std::vector<std::string> CameraPass::warnings() {
+  return m_transparency ? m_transparency->warnings() : std::vector<std::string>();
+}
+
 void CameraPass::recordOpaque(Frame& frame) {
   const glm::vec3 background = m_context.view.scene().background;
   const rhi::ColorAttachment color{.view = {.texture = m_color},
@@ -125,6 +157,22 @@ void CameraPass::translucentPass(Frame& frame, const std::string& label,
                                             .readOnly = true},
               .reads = m_inputs.reads},
              PassGroup::Scene, body);
+}
+
+void CameraPass::surfacePass(Frame& frame, rhi::PassDesc desc,
+                             const std::function<void(rhi::CommandList&)>& body) {
+  std::vector<rhi::ResourceUse> reads(desc.reads.begin(), desc.reads.end());
+  reads.insert(reads.end(), m_inputs.reads.begin(), m_inputs.reads.end());
+  desc.reads = reads;
+  frame.pass(desc, PassGroup::Scene, body);
+}
+
+void CameraPass::compositePass(Frame& frame, const std::string& label,
+                               std::span<const rhi::ResourceUse> reads,
+                               const std::function<void(rhi::CommandList&)>& body) {
+  const rhi::ColorAttachment color{.view = {.texture = m_color}, .load = rhi::LoadOp::Load};
+  frame.pass({.label = label, .colors = std::span(&color, 1), .reads = reads}, PassGroup::Scene,
+             body);
 }
 
 }  // namespace sb

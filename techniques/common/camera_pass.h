@@ -21,6 +21,8 @@ class CameraPass {
   void recordTranslucent(Frame& frame);
   /// Some of them, after all behind these.
   void recordTranslucent(Frame& frame, std::span<const uint32_t> part);
+  /// What the transparency technique has to say of the last frame. Call between frames.
+  std::vector<std::string> warnings();
 
   rhi::TextureId color() const { return m_color; }
   rhi::TextureId depth() const { return m_depth; }
@@ -32,10 +34,27 @@ class CameraPass {
   /// Pipeline of translucent surfaces with `emit` of the technique's folder: reads depth LEQUAL,
   /// writes none, one colour target without blending. Change what differs, then get it.
   rhi::GraphicsPipelineDesc translucentPipeline(const std::string& transparencyFolder) const;
+  /// The same surfaces through a fragment shader that does not shade (depths, opacities): neither
+  /// targets nor depth yet.
+  rhi::GraphicsPipelineDesc unshadedPipeline(const std::string& fragment) const;
+  /// A full-screen draw that adds colour to the picture times a transmittance: the shader's output
+  /// is (premultiplied colour of all layers, their transmittance T), the picture becomes
+  /// colour + T picture.
+  rhi::GraphicsPipelineDesc compositePipeline(const std::string& fragment) const;
   /// A pass over the opaque picture: colour loaded, depth read only, visibility declared.
   void translucentPass(Frame& frame, const std::string& label,
                        const std::function<void(rhi::CommandList&)>& body);
+  /// A pass with attachments of the technique's own that draws surfaces; what visibility reads is
+  /// declared beside `desc.reads`.
+  void surfacePass(Frame& frame, rhi::PassDesc desc,
+                   const std::function<void(rhi::CommandList&)>& body);
+  /// A pass over the opaque picture for draws of `compositePipeline`: colour loaded, no depth.
+  void compositePass(Frame& frame, const std::string& label,
+                     std::span<const rhi::ResourceUse> reads,
+                     const std::function<void(rhi::CommandList&)>& body);
   DrawList& drawList() { return m_drawList; }
+  /// A list of its own, with bindings beside those of visibility.
+  DrawList drawListWith(std::span<const rhi::Binding> extra) const;
 
  private:
   friend class VisibilityBuffer;
@@ -59,6 +78,12 @@ class CameraPass {
   DrawList m_drawList;
   std::unique_ptr<TransparencyTechnique> m_transparency;
 };
+
+/// Draws common/fullscreen.vert.
+inline void drawFullscreen(rhi::CommandList& commands, rhi::PipelineId pipeline,
+                           std::span<const rhi::Binding> bindings) {
+  commands.draw({.pipeline = pipeline, .bindings = bindings}, {.vertexCount = 3});
+}
 
 /// The values of `wanted` that one of the stages declares: a branch that a shader does not have
 /// needs no constant.

@@ -53,6 +53,9 @@ class Renderer {
   /// Frames from now on draw other random numbers. Call between frames.
   void setSeed(uint32_t seed) { m_view->setSeed(m_device.device, seed); }
 
+  /// What the last frame left out, for people. Call between frames.
+  std::vector<std::string> warnings() { return m_camera->warnings(); }
+
   const Plan& plan() const { return m_plan; }
   const SceneView& view() const { return *m_view; }
   ShadowTechnique* technique() { return m_technique.get(); }  ///< null: the plan needs no shadows

@@ -89,6 +89,9 @@ class TransparencyTechnique {
   virtual void record(Frame& frame, CameraPass& camera) = 0;
   /// The same for some of them, after all parts behind these. Only with TechniqueInfo::drawsParts.
   virtual void recordPart(Frame&, CameraPass&, std::span<const uint32_t>) {}
+  /// What the last frame left out (lists that overflowed, layers beyond the last one): for people,
+  /// one line each. Called between frames.
+  virtual std::vector<std::string> warnings() { return {}; }
 };
 
 }  // namespace sb

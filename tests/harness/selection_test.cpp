@@ -74,6 +74,24 @@ TEST(Selection, NamesSayWhatDiffersFromTheDefaultAndNoMore) {
   }
 }
 
+TEST(Selection, APlainNameMeansTheDefaultTransparency) {
+  const Selection s = {.techniques = {"none", "none+Sorted", "none+DepthPeeling"},
+                       .backends = {"vulkan"},
+                       .scenes = {"layers"},
+                       .sets = {"sort=triangle", "layers=4"}};
+  const auto cells = select(s);
+  ASSERT_EQ(cells.size(), 2u) << "none and none+Sorted are one cell";
+  EXPECT_EQ(cells[0].transparency, kDefaultTransparency);
+  EXPECT_EQ(cellName(cells[0]), "none/vulkan/layers/sort:triangle/512x512");
+  EXPECT_EQ(cells[1].transparency, "DepthPeeling");
+  // Each takes the knobs that it has.
+  EXPECT_EQ(cellName(cells[1]), "none+DepthPeeling/vulkan/layers/layers:4/512x512");
+  EXPECT_EQ(cellCommand(cells[1]),
+            "./bench --technique none+DepthPeeling --backend vulkan --scene layers --set layers=4 "
+            "--size 512x512");
+  EXPECT_EQ(cellName(baselineOf(cells[1])), cellName(cells[1]));
+}
+
 // TECHNIQUE[+TRANSPARENCY]/backend/scene/knob:value.../WxH
 TEST(Selection, NamesCanBeTakenApart) {
   const std::regex form(
@@ -129,6 +147,7 @@ TEST(Selection, CommandsReproduceTheCell) {
 TEST(Selection, ErrorsNameTheNearest) {
   EXPECT_NE(errorOf({.techniques = {"CSM2"}, .filter = {}, .size = {}}).find("CSSM2"),
             std::string::npos);
+  EXPECT_NE(errorOf({.techniques = {"none+DepthPeling"}}).find("DepthPeeling"), std::string::npos);
   EXPECT_NE(errorOf({.backends = {"vulcan"}, .filter = {}, .size = {}}).find("vulkan"),
             std::string::npos);
   EXPECT_NE(errorOf({.scenes = {"layer"}, .filter = {}, .size = {}}).find("layers"),

@@ -44,7 +44,7 @@ Knobs resolveKnobs(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   if (options.technique != "none") given.try_emplace("size", "256");
   return Knobs::resolve(
-      knobsOf(shadowTechnique(options.technique).info, transparencyTechnique("Sorted").info),
+      knobsOf(shadowTechnique(options.technique).info, transparencyTechnique(options.transparency).info),
       given);
 }
 
@@ -67,7 +67,7 @@ Cell::Cell(CellDevice& device, Scene scene, const CellOptions& options)
   m_renderer =
       std::make_unique<Renderer>(device.context(), *m_gpuScene, m_effects,
                                  RendererDesc{.technique = &shadowTechnique(options.technique),
-                                              .transparency = &transparencyTechnique("Sorted"),
+                                              .transparency = &transparencyTechnique(options.transparency),
                                               .knobs = m_knobs,
                                               .size = options.size,
                                               .seed = options.seed,

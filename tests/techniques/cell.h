@@ -28,6 +28,7 @@ struct CellOptions {
   rhi::Extent2D size = {64, 64};
   uint32_t seed = 0;
   EffectSet forced = {};
+  std::string transparency = "Sorted";
 };
 
 class Cell {

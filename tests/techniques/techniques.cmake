@@ -13,7 +13,12 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/translucent_shadows_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/translucent_shadows_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transparency_exact_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transparency_limits_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transparency_pictures_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transparency_scenes.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transparency_stochastic_test.cpp)
 target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp

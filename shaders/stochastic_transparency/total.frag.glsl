@@ -1,0 +1,16 @@
+#version 450
+// Transmittance of all layers of a pixel, exact: multiplied by blending, in any order.
+#include "common/options.glsl"
+#include "common/scene.glsl"
+#include "common/material.glsl"
+layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
+layout(location = 3) in vec4 v_uv;
+layout(location = 4) in vec4 v_color;
+layout(location = 0) out float o_transmittance;
+
+void main() {
+  float alpha = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).cameraAlpha;
+  if (alpha <= 0.0) discard;
+  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
+  o_transmittance = 1.0 - alpha;
+}

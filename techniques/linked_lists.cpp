@@ -1,0 +1,133 @@
+// Per-pixel linked lists (Yang, Hensley, Gruen, Thibieroz 2010); spec 15, E. Each surface is shaded
+// once and its fragments are put into lists, one a pixel; a full-screen pass sorts them by depth
+// and persistent key and composes them. Two passes; 16 or 20 bytes a fragment. The `layers` nearest
+// are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. Fragments beyond the
+// pool are dropped, counted and reported; which ones varies from run to run. nodes=rgba8 clamps
+// colours to 1 and shows bands where little comes through.
+#include <algorithm>
+#include <cstring>
+
+#include "shaders/common/shared_slots.h"
+#include "techniques/common/camera_pass.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+namespace {
+
+constexpr uint32_t kEndOfList = 0xFFFFFFFFu;
+
+class LinkedLists final : public TransparencyTechnique {
+ public:
+  void prepare(const Context& context, CameraPass& camera) override {
+    m_device = &context.device;
+    m_instances = context.view.effects().visibleTranslucent;
+    const bool half = context.knobs.is("nodes", "rgba16f");
+    createBuffers(context, half ? 20 : 16);
+
+    rhi::GraphicsPipelineDesc build = camera.translucentPipeline("linked_lists");
+    build.targets.clear();
+    build.constants.push_back({32, half});
+    m_build = context.pipelines.get(build);
+    rhi::GraphicsPipelineDesc resolve = camera.compositePipeline("linked_lists/resolve.frag");
+    resolve.constants = {{32, half}, {33, context.knobs.integer("layers")}};
+    m_resolve = context.pipelines.get(resolve);
+
+    m_bindings = context.view.bindings();
+    const rhi::Binding lists[] = {rhi::storageAt(STORAGE_TRANSPARENCY, m_heads),
+                                  rhi::storageAt(STORAGE_TRANSPARENCY + 1, m_nodes),
+                                  rhi::storageAt(STORAGE_TRANSPARENCY + 2, m_asked)};
+    m_bindings.insert(m_bindings.end(), std::begin(lists), std::end(lists));
+    m_draws = camera.drawListWith(lists);
+  }
+
+  void record(Frame& frame, CameraPass& camera) override {
+    frame.commands().fill(m_heads, 0, m_headBytes, kEndOfList);
+    frame.commands().fill(m_asked, 0, 4, 0);
+    const rhi::ResourceUse writes[] = {rhi::use(m_heads.id(), rhi::Access::StorageWrite),
+                                       rhi::use(m_nodes.id(), rhi::Access::StorageWrite),
+                                       rhi::use(m_asked.id(), rhi::Access::StorageWrite)};
+    camera.surfacePass(
+        frame,
+        {.label = "lists",
+         .depth =
+             rhi::DepthAttachment{
+                 .view = {.texture = camera.depth()}, .load = rhi::LoadOp::Load, .readOnly = true},
+         .writes = writes},
+        [&](rhi::CommandList& commands) { m_draws.draw(commands, m_build, m_instances); });
+    const rhi::ResourceUse reads[] = {rhi::use(m_heads.id(), rhi::Access::StorageRead),
+                                      rhi::use(m_nodes.id(), rhi::Access::StorageRead)};
+    camera.compositePass(frame, "sort and composite", reads, [&](rhi::CommandList& commands) {
+      drawFullscreen(commands, m_resolve, m_bindings);
+    });
+    m_recorded = true;
+  }
+
+  std::vector<std::string> warnings() override {
+    if (!m_recorded) return {};
+    uint32_t asked = 0;
+    std::memcpy(&asked, m_device->read(m_asked, 0, 4).data(), 4);
+    if (asked <= m_capacity) return {};
+    return {"linked lists dropped " + std::to_string(asked - m_capacity) + " of " +
+            std::to_string(asked) + " fragments: the pool holds " + std::to_string(m_capacity) +
+            " (knob pool)"};
+  }
+
+ private:
+  void createBuffers(const Context& context, uint64_t nodeBytes) {
+    const auto [width, height] = context.view.size();
+    const uint64_t pixels = uint64_t(width) * height;
+    const uint64_t wanted = pixels * context.knobs.integer("pool");
+    // A smaller pool than asked for shows in the count of what was dropped.
+    m_capacity = std::min(wanted, context.device.info().limits.maxStorageRange / nodeBytes);
+    m_headBytes = pixels * 4;
+    auto buffer = [&](const char* label, uint64_t size) {
+      return context.device.createBuffer({.label = label,
+                                          .size = size,
+                                          .use = rhi::BufferUse::Storage |
+                                                 rhi::BufferUse::CopyTarget |
+                                                 rhi::BufferUse::CopySource});
+    };
+    m_heads = buffer("list heads", m_headBytes);
+    m_nodes = buffer("list nodes", m_capacity * nodeBytes);
+    m_asked = buffer("list counter", 16);
+  }
+
+  rhi::Device* m_device = nullptr;
+  std::vector<uint32_t> m_instances;
+  uint64_t m_capacity = 0;  ///< nodes
+  uint64_t m_headBytes = 0;
+  bool m_recorded = false;
+  rhi::Buffer m_heads, m_nodes, m_asked;
+  rhi::PipelineId m_build, m_resolve;
+  std::vector<rhi::Binding> m_bindings;
+  DrawList m_draws;
+};
+
+REGISTER_TECHNIQUE(TransparencyTechnique, LinkedLists,
+                   (TechniqueInfo{
+                       .name = "LinkedLists",
+                       .folder = "linked_lists",
+                       .title = "Per-pixel linked lists, sorted",
+                       .paper = "Yang, Hensley, Gruen, Thibieroz 2010",
+                       .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+                       .requires_ = {rhi::Feature::FragmentStoresAndAtomics},
+                       .knobs = {{.name = "layers",
+                                  .help = "nearest layers that are sorted; the rest is averaged",
+                                  .fallback = "16",
+                                  .choices = {"8", "16", "32", "64"},
+                                  .sweep = {"8", "16", "32"}},
+                                 {.name = "nodes",
+                                  .help = "format of a fragment's colour",
+                                  .fallback = "rgba16f",
+                                  .choices = {"rgba8", "rgba16f"},
+                                  .sweep = {"rgba8", "rgba16f"}},
+                                 {.name = "pool",
+                                  .unit = "fragments/pixel",
+                                  .help = "size of the pool of nodes, on average over the picture",
+                                  .fallback = "8",
+                                  .min = 1,
+                                  .max = 256}},
+                       .error = "none up to the number of layers; the average of deeper ones"}));
+
+}  // namespace
+}  // namespace sb
