@@ -156,7 +156,9 @@ REGISTER_TECHNIQUE(
                               .min = 1,
                               .max = 64,
                               .sweep = {"1", "2", "4", "8"}}},
-                   .error = "none up to the number of layers; coplanar surfaces count as one"}));
+                   .error = "none up to the number of layers; coplanar surfaces count as one",
+                   .breaksIn = {{"camera layers", "what lies behind `layers` of them is lost"},
+                                {"camera coplanar", "surfaces of one depth peel as one layer"}}}));
 
 }  // namespace
 }  // namespace sb

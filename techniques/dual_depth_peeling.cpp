@@ -183,7 +183,8 @@ REGISTER_TECHNIQUE(
                    .min = 1,
                    .max = 64,
                    .sweep = {"2", "4", "8"}}},
-        .error = "none up to the number of layers; those in the middle are lost first"}));
+        .error = "none up to the number of layers; those in the middle are lost first",
+        .breaksIn = {{"camera layers", "the middle ones of more than `layers` are lost"}}}));
 
 }  // namespace
 }  // namespace sb

@@ -1,14 +1,16 @@
 // Per-pixel linked lists (Yang, Hensley, Gruen, Thibieroz 2010); spec 15, E. Each surface is shaded
 // once and its fragments are put into lists, one a pixel; a full-screen pass sorts them by depth
 // and persistent key and composes them. Two passes; 16 or 20 bytes a fragment. The `layers` nearest
-// are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. Fragments beyond the
-// pool are dropped, counted and reported; which ones varies from run to run. nodes=rgba8 clamps
+// are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. The pool holds as many
+// fragments as were counted when it was made; beyond a smaller one that is asked for, or beyond what
+// the device allows, they are dropped, counted and reported. nodes=rgba8 clamps
 // colours to 1 and shows bands where little comes through.
 #include <algorithm>
 #include <cstring>
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/camera_pass.h"
+#include "techniques/common/pass_queries.h"
 #include "techniques/common/registry.h"
 
 namespace sb {
@@ -22,7 +24,10 @@ class LinkedLists final : public TransparencyTechnique {
     m_device = &context.device;
     m_instances = context.view.effects().visibleTranslucent;
     const bool half = context.knobs.is("nodes", "rgba16f");
-    createBuffers(context, half ? 20 : 16);
+    const uint64_t perPixel = context.knobs.integer("pool");
+    const auto [width, height] = context.view.size();
+    createBuffers(context, half ? 20 : 16,
+                  perPixel > 0 ? perPixel * width * height : countFragments(context, camera));
 
     rhi::GraphicsPipelineDesc build = camera.translucentPipeline("linked_lists");
     build.targets.clear();
@@ -73,10 +78,29 @@ class LinkedLists final : public TransparencyTechnique {
   }
 
  private:
-  void createBuffers(const Context& context, uint64_t nodeBytes) {
+  /// Fragments of all translucent surfaces, those behind opaque ones included: no more can come.
+  uint64_t countFragments(const Context& context, const CameraPass& camera) const {
+    PassQueries query(context.device, "list fragments", 1);
+    rhi::GraphicsPipelineDesc desc = camera.translucentPipeline("linked_lists");
+    desc.fragment = nullptr;
+    desc.targets.clear();
+    desc.constants.clear();
+    const rhi::PipelineId pipeline = context.pipelines.get(desc);
+    DrawList draws = camera.drawListWith({});
+    rhi::CommandList& commands = context.device.beginFrame();
+    {
+      rhi::PassScope pass = commands.beginPass(
+          {.label = "list fragments",
+           .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
+      query.count(commands, [&] { draws.draw(commands, pipeline, m_instances); });
+    }
+    context.device.wait(context.device.endFrame());
+    return std::max<uint64_t>(1, query.take().front());
+  }
+
+  void createBuffers(const Context& context, uint64_t nodeBytes, uint64_t wanted) {
     const auto [width, height] = context.view.size();
     const uint64_t pixels = uint64_t(width) * height;
-    const uint64_t wanted = pixels * context.knobs.integer("pool");
     // A smaller pool than asked for shows in the count of what was dropped.
     m_capacity = std::min(wanted, context.device.info().limits.maxStorageRange / nodeBytes);
     m_headBytes = pixels * 4;
@@ -110,7 +134,8 @@ REGISTER_TECHNIQUE(TransparencyTechnique, LinkedLists,
                        .title = "Per-pixel linked lists, sorted",
                        .paper = "Yang, Hensley, Gruen, Thibieroz 2010",
                        .represents = {Effect::CameraTransparency, Effect::CameraLayers},
-                       .requires_ = {rhi::Feature::FragmentStoresAndAtomics},
+                       .requires_ = {rhi::Feature::FragmentStoresAndAtomics,
+                                     rhi::Feature::PreciseOcclusion},
                        .knobs = {{.name = "layers",
                                   .help = "nearest layers that are sorted; the rest is averaged",
                                   .fallback = "16",
@@ -123,11 +148,14 @@ REGISTER_TECHNIQUE(TransparencyTechnique, LinkedLists,
                                   .sweep = {"rgba8", "rgba16f"}},
                                  {.name = "pool",
                                   .unit = "fragments/pixel",
-                                  .help = "size of the pool of nodes, on average over the picture",
-                                  .fallback = "8",
-                                  .min = 1,
+                                  .help = "size of the pool of nodes, on average over the picture; "
+                                          "0: as many as there are, counted beforehand",
+                                  .fallback = "0",
+                                  .min = 0,
                                   .max = 256}},
-                       .error = "none up to the number of layers; the average of deeper ones"}));
+                       .error = "none up to the number of layers; the average of deeper ones",
+                       .breaksIn = {{"camera layers",
+                                     "layers behind the nearest `layers` are averaged"}}}));
 
 }  // namespace
 }  // namespace sb

@@ -181,9 +181,10 @@ BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
   flags.filterExcludes = flags.filter.starts_with('-');
   if (flags.filterExcludes) flags.filter.erase(0, 1);
   arguments = rest;
-  std::vector<std::string> words = {"bench"};
-  words.insert(words.end(), flags.arguments.begin(), flags.arguments.end());
-  std::vector<char*> argv;
+  // The library keeps the pointer to the program's name for its reports.
+  static std::string program = "bench";
+  std::vector<std::string> words = flags.arguments;
+  std::vector<char*> argv = {program.data()};
   for (std::string& w : words) argv.push_back(w.data());
   int argc = int(argv.size());
   benchmark::Initialize(&argc, argv.data());

@@ -105,10 +105,11 @@ def cell(technique, backend, scene, variant, ms, rmse, pictures, noisy=False):
         "cpu_ms": distribution(ms), "record_ms": distribution(0.2), "device_ms": None,
         "device_ms_why": "plain frames carry no stamps", "submit_ms": 0.1, "compile_ms": 30.0,
         "stopped_by": "budget" if noisy else "precision", "precision": 0.03,
-        "passes": [{"label": label, "ms": ms * share, "share": share, "draws": 2, "triangles": 900,
+        "passes": [{"label": label, "count": 1, "ms": ms * share, "share": share,
+                    "draws": 2, "triangles": 900,
                     "fragments": None, "fragments_why": "not counted"}
                    for label, share in (("shadow map", 0.3), ("blur", 0.1), ("camera", 0.5))]
-        if shadow else [{"label": "camera", "ms": ms * 0.9, "share": 0.9, "draws": 1,
+        if shadow else [{"label": "camera", "count": 1, "ms": ms * 0.9, "share": 0.9, "draws": 1,
                          "triangles": 900, "fragments": 4096}],
         "shadow_ms": shadow, "scene_ms": ms * 0.5, "combined_ms": shadow + ms * 0.5,
         "stamped_frame_ms": ms, "ratios": [], "pass_count": 3, "draw_count": 5,
