@@ -143,6 +143,18 @@ std::vector<KnobInfo> knobs() {
   return list;
 }
 
+/// Where the variants that are no product of tau = 1 - alpha (1 - t) differ from the truth (spec 02).
+std::map<std::string, std::string> otherLaws() {
+  std::map<std::string, std::string> breaks;
+  for (const std::string& variant : kVariants)
+    if (variant != "energy")
+      for (const char* id : {"G10", "layers", "alpha", "coplanar", "between", "cycle", "crossing",
+                             "closed", "batch trap", "H7"})
+        breaks[id + (" variant:" + variant)] =
+            "this variant has another law of transmission than 1 - alpha (1 - t)";
+  return breaks;
+}
+
 REGISTER_TECHNIQUE(
     ShadowTechnique, TranslucentShadows,
     (TechniqueInfo{
@@ -156,7 +168,8 @@ REGISTER_TECHNIQUE(
                                 Effect::TexturedTransmission, Effect::TranslucentReceivers},
         .knobs = knobs(),
         .error = "translucent receivers behind the first layer get the colour of all "
-                 "layers, those behind and their own included"}));
+                 "layers, those behind and their own included",
+        .breaksIn = otherLaws()}));
 
 }  // namespace
 }  // namespace sb

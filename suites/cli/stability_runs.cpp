@@ -15,7 +15,12 @@ std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& ove
   for (const StabilityRun& run : suite.stability) {
     try {
       const auto& techniques = over.techniques.empty() ? run.techniques : over.techniques;
-      for (StabilityJob& job : stabilityJobs(techniques, run.cases, backends, over.filter))
+      for (StabilityJob& job : stabilityJobs({.techniques = techniques,
+                                              .cases = run.cases,
+                                              .backends = backends,
+                                              .filter = over.filter,
+                                              .variants = run.variants,
+                                              .seeds = run.seeds}))
         if (names.insert(jobName(job)).second) jobs.push_back(std::move(job));
     } catch (const InputError& e) {
       throw InputError(run.where, e.what());

@@ -99,6 +99,25 @@ class Reader {
     return sets;
   }
 
+  /// One set of knobs for each value of each entry of `sweep`, or one alone, all with those of
+  /// `set`.
+  std::vector<std::map<std::string, std::string>> variants(const toml::table& run,
+                                                           const std::string& field) const {
+    std::map<std::string, std::string> fixed;
+    for (const std::string& text : sets(run, "set", field, false))
+      fixed[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
+    std::vector<std::map<std::string, std::string>> all;
+    for (const std::string& text : sets(run, "sweep", field, true)) {
+      std::stringstream list(text.substr(text.find('=') + 1));
+      for (std::string value; std::getline(list, value, ',');) {
+        all.push_back(fixed);
+        all.back()[text.substr(0, text.find('='))] = value;
+      }
+    }
+    if (all.empty()) all.push_back(fixed);
+    return all;
+  }
+
  private:
   std::string m_file;
 };
@@ -143,8 +162,11 @@ StabilityRun parseStability(const Reader& reader, const toml::node& node, size_t
   const std::string field = "stability " + std::to_string(index + 1);
   const auto* table = node.as_table();
   if (!table) reader.fail(node, field, "a table");
-  reader.requireKnown(*table, field, {"cases", "techniques"});
+  reader.requireKnown(*table, field, {"cases", "techniques", "set", "sweep", "seeds"});
   StabilityRun run{.where = reader.at(node) + ": " + field};
+  run.variants = reader.variants(*table, field);
+  if (const auto* n = table->get("seeds"))
+    run.seeds = uint32_t(reader.number(*n, field + ".seeds", 0));
   if (const auto* n = table->get("cases")) run.cases = reader.texts(*n, field + ".cases");
   if (const auto* n = table->get("techniques"))
     run.techniques = reader.texts(*n, field + ".techniques");

@@ -13,6 +13,9 @@
 //   [[stability]]                    hard cases (suites/stability)
 //   cases = ["G1", ...]              optional: ids; without it all
 //   techniques = ["CSSM2", ...]      optional: without it all
+//   sweep.format = ["rgba16", ...]   optional: variants, one knob at a time
+//   set.kernel = 3                   optional: the same for all of them
+//   seeds = 64                       optional: means of stochastic techniques over so many
 #pragma once
 
 #include <optional>
@@ -33,6 +36,8 @@ struct SuiteRun {
 struct StabilityRun {
   std::string where;  ///< as in SuiteRun
   std::vector<std::string> cases, techniques;
+  std::vector<std::map<std::string, std::string>> variants = {{}};  ///< knobs of each
+  uint32_t seeds = 1;
 };
 
 struct Suite {

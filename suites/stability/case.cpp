@@ -8,7 +8,8 @@ const std::vector<StabilityCase>& stabilityCases() {
   static const std::vector<StabilityCase> cases = [] {
     std::vector<StabilityCase> all;
     for (const auto& part :
-         {genericCases(), opaqueCases(), translucentCases(), transparencyCases(), tortureCases()})
+         {genericCases(), opaqueCases(), translucentCases(),
+          boundaryCases(), transparencyCases(), tortureCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

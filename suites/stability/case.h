@@ -14,6 +14,9 @@ struct Found {
   std::string expected;
 };
 
+/// Whom a case asks: a broken property is the fault of shadows, of camera transparency, of either.
+enum class Asks : uint8_t { Shadows, Transparency, Both };
+
 struct StabilityCase {
   std::string id;
   std::string title;
@@ -21,8 +24,7 @@ struct StabilityCase {
   std::string reason;          ///< of the tolerance
   std::string parameter = "";  ///< of the curve, with its unit; "": configurations without order
   bool logarithmic = false;
-  /// Asks something of shadows (else of camera transparency).
-  bool ofShadows = true;
+  Asks asks = Asks::Shadows;
   /// Why a technique is not asked, or "": it is.
   std::string (*leavesOut)(const CaseContext&) = nullptr;
   Found (*run)(const CaseContext&) = nullptr;
@@ -34,7 +36,8 @@ const std::vector<StabilityCase>& stabilityCases();
 // One file each.
 std::vector<StabilityCase> genericCases();       ///< G1-G11
 std::vector<StabilityCase> opaqueCases();        ///< rows of spec 01
-std::vector<StabilityCase> translucentCases();   ///< rows of specs 02-05
+std::vector<StabilityCase> translucentCases();   ///< rows of specs 02-05: layers and orders
+std::vector<StabilityCase> boundaryCases();      ///< rows of specs 01-05: ties, far planes, p of 0 and 1
 std::vector<StabilityCase> transparencyCases();  ///< rows of spec 15
 std::vector<StabilityCase> tortureCases();       ///< H2, H3, H4, H7, H8
 

@@ -12,7 +12,7 @@ namespace {
 
 Knobs knobsFor(const CaseContext& context, const ProbeOptions& options) {
   const auto infos = knobsOf(context.info(), context.transparencyInfo());
-  std::map<std::string, std::string> given;
+  std::map<std::string, std::string> given = context.knobs;
   for (const auto& [name, value] : options.knobs)
     if (std::ranges::find(infos, name, &KnobInfo::name) != infos.end()) given[name] = value;
   if (std::ranges::find(infos, "size", &KnobInfo::name) != infos.end())
@@ -43,7 +43,9 @@ double cosine(const Scene& scene, uint32_t light, const Tracer::Point& point) {
 }  // namespace
 
 Probe::Probe(const CaseContext& context, Scene scene, const ProbeOptions& options)
-    : m_scene(std::move(scene)), m_options(options) {
+    : m_scene(std::move(scene)),
+      m_options(options),
+      m_seeds(context.info().stochastic ? context.seeds : 1) {
   const DeviceContext& device = options.onOther ? *context.other : context.device;
   m_effects = analyse(m_scene, double(options.size.width) / options.size.height);
   m_gpuScene = std::make_unique<GpuScene>(device.device, m_scene);
@@ -69,8 +71,18 @@ const std::vector<VisibilityImage>& Probe::visibility(uint32_t light) {
 }
 
 glm::dvec3 Probe::meanVisibility(uint32_t layer, uint32_t light) {
+  glm::dvec3 sum = middleMean(visibility(light)[layer]);
+  for (uint32_t i = 1; i < m_seeds; ++i) {
+    m_renderer->setSeed(m_options.seed + i);
+    m_renderer->frame();
+    sum += middleMean(m_renderer->readVisibility(light)[layer]);
+  }
+  if (m_seeds > 1) m_renderer->setSeed(m_options.seed);
+  return sum / double(m_seeds);
+}
+
+glm::dvec3 Probe::middleMean(const VisibilityImage& image) const {
   const auto [width, height] = m_options.size;
-  const VisibilityImage& image = visibility(light)[layer];
   glm::dvec3 sum(0);
   double count = 0;
   for (uint32_t y = height / 4; y < height * 3 / 4; ++y)

@@ -14,10 +14,16 @@ struct CaseContext {
   const DeviceContext* other = nullptr;  ///< of another API; null: there is none
   std::string technique;
   std::string transparency;
+  std::map<std::string, std::string> knobs = {};  ///< of the variant; what a case fixes wins
+  uint32_t seeds = 1;  ///< over which means of stochastic techniques are taken
   bool quick = false;  ///< fewer and smaller points, for tests
   const TechniqueInfo& info() const { return shadowTechnique(technique).info; }
   const TechniqueInfo& transparencyInfo() const { return transparencyTechnique(transparency).info; }
   bool represents(Effect effect) const { return info().represents.has(effect); }
+  bool is(const std::string& knob, const std::string& value) const {
+    const auto it = knobs.find(knob);
+    return it != knobs.end() && it->second == value;
+  }
 };
 
 struct ProbeOptions {
@@ -38,13 +44,16 @@ class Probe {
   report::Picture picture();
   /// Of a light that touches the view: first opaque surface, then layers from the eye.
   const std::vector<VisibilityImage>& visibility(uint32_t light = 0);
-  /// Mean over the middle half of a layer, where a surface is.
+  /// Mean over the middle half of a layer, where a surface is, and over the context's seeds.
   glm::dvec3 meanVisibility(uint32_t layer, uint32_t light = 0);
 
  private:
+  glm::dvec3 middleMean(const VisibilityImage& image) const;
+
   Scene m_scene;
   Effects m_effects;
   ProbeOptions m_options;
+  uint32_t m_seeds = 1;
   std::unique_ptr<GpuScene> m_gpuScene;
   std::unique_ptr<Renderer> m_renderer;
   std::map<uint32_t, std::vector<VisibilityImage>> m_visibility;

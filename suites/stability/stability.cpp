@@ -43,40 +43,68 @@ std::pair<std::string, std::string> pairOf(const std::string& name) {
 /// `none` answers nothing about shadows; whatever has shadows is not asked about transparency
 /// twice.
 bool concerns(const StabilityCase& c, const std::string& technique) {
-  return c.ofShadows ? technique != "none" : technique == "none";
+  return c.asks == Asks::Both || (c.asks == Asks::Shadows) == (technique != "none");
+}
+
+std::string variantName(const StabilityJob& job) {
+  std::string name = nameOf(job.technique, job.transparency);
+  for (const auto& [knob, value] : job.knobs) name += "/" + knob + ":" + value;
+  return name;
+}
+
+std::vector<KnobInfo> knobsOf(const StabilityJob& job) {
+  return sb::knobsOf(shadowTechnique(job.technique).info,
+                     transparencyTechnique(job.transparency).info);
+}
+
+bool hasKnobs(const StabilityJob& job) {
+  const auto infos = knobsOf(job);
+  return std::ranges::all_of(job.knobs, [&](const auto& knob) {
+    return std::ranges::find(infos, knob.first, &KnobInfo::name) != infos.end();
+  });
+}
+
+/// Keys of TechniqueInfo::breaksIn: "case", or "case knob:value" for one variant.
+std::string whyItBreaks(const TechniqueInfo& info, const StabilityJob& job) {
+  std::vector<std::string> keys;
+  for (const auto& [knob, value] : job.knobs) keys.push_back(job.caseId + " " + knob + ":" + value);
+  keys.push_back(job.caseId);
+  for (const std::string& key : keys)
+    if (const auto known = info.breaksIn.find(key); known != info.breaksIn.end())
+      return known->second;
+  return "";
 }
 
 }  // namespace
 
 std::string jobName(const StabilityJob& job) {
-  return job.caseId + "/" + nameOf(job.technique, job.transparency) + "/" + job.backend;
+  return job.caseId + "/" + variantName(job) + "/" + job.backend;
 }
 
-std::vector<StabilityJob> stabilityJobs(const std::vector<std::string>& techniques,
-                                        const std::vector<std::string>& cases,
-                                        const std::vector<std::string>& backends,
-                                        const std::string& filter) {
+std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
   std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::string& t : techniques) pairs.push_back(pairOf(t));
-  if (techniques.empty()) pairs = allPairs();
-  std::vector<std::string> ids = cases;
+  for (const std::string& t : selection.techniques) pairs.push_back(pairOf(t));
+  if (pairs.empty()) pairs = allPairs();
+  std::vector<std::string> ids = selection.cases;
   if (ids.empty())
     for (const StabilityCase& c : stabilityCases()) ids.push_back(c.id);
   std::regex wanted;
   try {
-    wanted = std::regex(filter);
+    wanted = std::regex(selection.filter);
   } catch (const std::regex_error& e) {
-    throw InputError("--filter", "'" + filter + "' is no regular expression: " + e.what());
+    throw InputError("--filter",
+                     "'" + selection.filter + "' is no regular expression: " + e.what());
   }
   std::vector<StabilityJob> jobs;
   for (const std::string& id : ids) {
     const StabilityCase& c = caseOf(id);
     for (const auto& [technique, transparency] : pairs)
-      for (const std::string& backend : backends) {
-        StabilityJob job{id, technique, transparency, backend};
-        if (concerns(c, technique) && std::regex_search(jobName(job), wanted))
-          jobs.push_back(std::move(job));
-      }
+      for (const auto& knobs : selection.variants)
+        for (const std::string& backend : selection.backends) {
+          StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds};
+          if (!concerns(c, technique) || !hasKnobs(job)) continue;
+          if (std::regex_search(jobName(job), wanted)) jobs.push_back(std::move(job));
+        }
   }
   return jobs;
 }
@@ -87,7 +115,7 @@ report::StabilityRecord skippedStability(const StabilityJob& job, const std::str
           .title = c.title,
           .property = c.property,
           .reason = c.reason,
-          .technique = nameOf(job.technique, job.transparency),
+          .technique = variantName(job),
           .backend = job.backend,
           .parameter = c.parameter,
           .logarithmic = c.logarithmic,
@@ -104,9 +132,11 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
                             .other = other,
                             .technique = job.technique,
                             .transparency = job.transparency,
+                            .knobs = job.knobs,
+                            .seeds = job.seeds,
                             .quick = quick};
-  const Knobs defaults = Knobs::resolve(knobsOf(context.info(), context.transparencyInfo()), {});
-  if (auto why = unsupported(device.device, context.info(), context.transparencyInfo(), defaults))
+  const Knobs knobs = Knobs::resolve(knobsOf(job), job.knobs);
+  if (auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs))
     return skippedStability(job, why->reason);
   if (c.leavesOut)
     if (const std::string why = c.leavesOut(context); !why.empty())
@@ -115,9 +145,8 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
   try {
     Found found = c.run(context);
     record.curve = std::move(found.curve);
-    const TechniqueInfo& asked = c.ofShadows ? context.info() : context.transparencyInfo();
-    if (const auto known = asked.breaksIn.find(c.id); known != asked.breaksIn.end())
-      found.expected = known->second;
+    for (const TechniqueInfo* info : {&context.info(), &context.transparencyInfo()})
+      if (const std::string why = whyItBreaks(*info, job); !why.empty()) found.expected = why;
     report::judge(record, found.expected);
   } catch (const rhi::Error& error) {
     return skippedStability(job, error.what());

@@ -11,19 +11,29 @@ struct StabilityJob {
   std::string technique;  ///< shadow technique
   std::string transparency;
   std::string backend;
+  std::map<std::string, std::string> knobs = {};  ///< variant of the technique
+  uint32_t seeds = 1;  ///< over which stochastic techniques are averaged
 };
 
-/// "G1/CSSM2/vulkan": what --filter matches and --list prints.
+/// "G1/CSSM2/vulkan", "G1/CSSM2/format:rgba16/vulkan": what --filter matches and --list prints.
 std::string jobName(const StabilityJob& job);
 
-/// Every case of every technique that it asks something of. `techniques`: TECHNIQUE[+TRANSPARENCY];
-/// none: all of them, shadows with the default transparency, transparency without shadows. `cases`:
-/// ids; none: all. `filter`: a regular expression over names. Throws InputError with the nearest
+/// What to ask: empty lists mean all.
+struct StabilitySelection {
+  /// TECHNIQUE[+TRANSPARENCY]; all: shadows with the default transparency, transparency without
+  /// shadows.
+  std::vector<std::string> techniques;
+  std::vector<std::string> cases;  ///< ids
+  std::vector<std::string> backends;
+  std::string filter;  ///< a regular expression over names
+  /// Knobs of each variant to ask; a technique that lacks one of the knobs is not asked for it.
+  std::vector<std::map<std::string, std::string>> variants = {{}};
+  uint32_t seeds = 1;
+};
+
+/// Every case of every technique that it asks something of. Throws InputError with the nearest
 /// names.
-std::vector<StabilityJob> stabilityJobs(const std::vector<std::string>& techniques,
-                                        const std::vector<std::string>& cases,
-                                        const std::vector<std::string>& backends,
-                                        const std::string& filter);
+std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection);
 
 /// Runs one, on a device of the job's backend; `other`: of another API, or null. What the device
 /// refuses gives a record that is skipped with the reason. `quick`: fewer and smaller points.

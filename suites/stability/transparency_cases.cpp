@@ -118,6 +118,18 @@ Found coplanar(const CaseContext& context) {
   return {.curve = {{2, largest(mean - expected), allowed(context, 2)}}, .expected = ""};
 }
 
+Found onFarPlane(const CaseContext& context) {
+  // Depth is exactly 1 there, which must not be taken for an empty pixel.
+  Scene scene;
+  scene.background = {0, 0, 1};
+  addHorizontal(scene, add(scene, shining({1, 0, 0}, 0.5f)), {0, 1, 0}, 8, 8);
+  addHorizontal(scene, add(scene, shining({0, 1, 0}, 0.5f)), {0, 0, 0}, 8, 8);
+  scene.cameras.push_back(downCamera({0, 2, 0}, 1, 2));
+  const glm::dvec3 expected(0.5, 0.25, 0.25);
+  const glm::dvec3 mean = meanColor(context, scene, 1);
+  return {.curve = {{1, largest(mean - expected), allowed(context, 2)}}, .expected = ""};
+}
+
 Found crossing(const CaseContext& context) {
   // Red and green cross in the middle of the picture: each is in front on one half.
   Scene scene;
@@ -177,38 +189,44 @@ std::vector<StabilityCase> transparencyCases() {
        .reason = rounding,
        .parameter = "layers",
        .logarithmic = true,
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = manyLayers},
       {.id = "camera 0/1",
        .title = "Layers that are not there, or hide all others",
        .property = color,
        .reason = "exact",
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = absentAndOpaque},
       {.id = "camera energy",
        .title = "Everything of one colour",
        .property = "the picture is that colour (difference)",
        .reason = "2^-10 a layer (half floats)",
        .parameter = "alpha",
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = oneColor},
       {.id = "camera coplanar",
        .title = "Two surfaces in one place",
        .property = color,
        .reason = rounding,
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = coplanar},
+      {.id = "camera far",
+       .title = "A surface on the far plane",
+       .property = color,
+       .reason = rounding,
+       .asks = Asks::Transparency,
+       .run = onFarPlane},
       {.id = "camera crossing",
        .title = "Surfaces through one another",
        .property = color,
        .reason = rounding,
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = crossing},
       {.id = "camera G3",
        .title = "Triangles and meshes permuted",
        .property = "the picture stays (largest difference, 1/255)",
        .reason = "exact; sums of half floats round as they are ordered",
-       .ofShadows = false,
+       .asks = Asks::Transparency,
        .run = permuted},
   };
 }

@@ -33,7 +33,8 @@ struct TechniqueInfo {
   std::vector<KnobInfo> knobs;
   std::string error;   ///< what its error is by construction (spec 16's table)
   bool stochastic = false;
-  /// Hard cases (suites/stability) that it does not pass by construction, and why, by id.
+  /// Hard cases (suites/stability) that it does not pass by construction, and why: by id, or by
+  /// "id knob:value" for one variant.
   std::map<std::string, std::string> breaksIn;
   /// Shadow techniques: with these knobs maps change between translucent surfaces, so that the
   /// transparency technique must be able to draw them part by part. Null: never.

@@ -13,7 +13,7 @@ std::vector<report::StabilityRecord> runAll(test::CellDevice& device, const std:
                                             const std::string& filter) {
   std::vector<report::StabilityRecord> records;
   const DeviceContext context = device.context();
-  for (const StabilityJob& job : stabilityJobs({}, {}, {backend}, filter))
+  for (const StabilityJob& job : stabilityJobs({.backends = {backend}, .filter = filter}))
     records.push_back(runStability(job, context, nullptr, true));
   return records;
 }
@@ -46,13 +46,33 @@ GPU_TEST(Stability, WhatATechniqueCannotShowIsFound) {
 }
 
 TEST(StabilityJobs, AreNamedAndSelected) {
-  const auto all = stabilityJobs({}, {}, {"vulkan"}, "");
-  for (const StabilityJob& job : all)
-    EXPECT_EQ(job.technique == "none", job.caseId.starts_with("camera")) << jobName(job);
-  const auto some = stabilityJobs({"CSSM2"}, {"G1", "H7"}, {"vulkan", "opengl"}, "H7");
+  const auto all = stabilityJobs({.backends = {"vulkan"}});
+  size_t moved = 0;
+  for (const StabilityJob& job : all) {
+    if (job.caseId.starts_with("camera")) EXPECT_EQ(job.technique, "none") << jobName(job);
+    if (job.caseId == "layers") EXPECT_NE(job.technique, "none") << jobName(job);
+    moved += job.caseId == "G1" && job.technique == "none";
+  }
+  EXPECT_GE(moved, 5u);  // what holds for any picture is asked of transparency too
+  const auto some = stabilityJobs({.techniques = {"CSSM2"},
+                                   .cases = {"G1", "H7"},
+                                   .backends = {"vulkan", "opengl"},
+                                   .filter = "H7"});
   ASSERT_EQ(some.size(), 2u);
   EXPECT_EQ(jobName(some[1]), "H7/CSSM2/opengl");
-  EXPECT_THROW(stabilityJobs({"CSM2"}, {}, {"vulkan"}, ""), InputError);
-  EXPECT_THROW(stabilityJobs({}, {"G99"}, {"vulkan"}, ""), InputError);
-  EXPECT_THROW(stabilityJobs({}, {}, {"vulkan"}, "("), InputError);
+  EXPECT_THROW(stabilityJobs({.techniques = {"CSM2"}}), InputError);
+  EXPECT_THROW(stabilityJobs({.cases = {"G99"}}), InputError);
+  EXPECT_THROW(stabilityJobs({.filter = "("}), InputError);
+}
+
+TEST(StabilityJobs, VariantsAreAskedOfThoseThatHaveTheKnob) {
+  const auto jobs = stabilityJobs({.techniques = {"CSSM2", "ShadowMap"},
+                                   .cases = {"G1"},
+                                   .backends = {"vulkan"},
+                                   .variants = {{{"format", "rgba16"}}, {{"kernel", "3"}}},
+                                   .seeds = 64});
+  ASSERT_EQ(jobs.size(), 3u);
+  EXPECT_EQ(jobName(jobs[0]), "G1/CSSM2/format:rgba16/vulkan");
+  EXPECT_EQ(jobName(jobs[2]), "G1/ShadowMap/kernel:3/vulkan");
+  EXPECT_EQ(jobs[0].seeds, 64u);
 }
