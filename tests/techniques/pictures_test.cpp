@@ -23,6 +23,7 @@ Made make(rhi::Device& device, const std::string& technique, const std::string& 
     Cell cell(cellDevice(device), makeScene(scene), {.technique = technique, .size = {128, 96}});
     Made now{cell.picture(), cell.map("depth"), {}};
     if (cell.hasMap("colours")) now.colours = cell.map("colours");
+    if (technique == "CSSM1") now.colours = cell.map("depth", 2);
     cell.renderAgain();
     EXPECT_EQ(now.picture.rgba, cell.picture().rgba) << "frame to frame: " << scene;
     if (run == 1) {
@@ -73,7 +74,8 @@ TEST_P(Pictures, AgreeAcrossBackends) {
       ADD_FAILURE() << backend << ": " << m.source << " [" << m.rule << "] " << m.text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Together, Pictures, testing::Values("ShadowMap", "CSSM2"));
+INSTANTIATE_TEST_SUITE_P(Together, Pictures,
+                         testing::Values("ShadowMap", "StochasticShadowMap", "CSSM1", "CSSM2"));
 
 }  // namespace
 }  // namespace sb::test
