@@ -54,6 +54,37 @@ GPU_TEST(StochasticShadow, NoiseOfTheWorkedExample) {
   EXPECT_NEAR(std::sqrt(m.variance.x), 0.0499, 0.0499 * 2 / std::sqrt(double(m.count)) * 2);
 }
 
+GPU_TEST(StochasticShadow, BlocksOfTexelsAreBinomial) {
+  // 03, invariant 4: chi-square of sums of 5 x 5 texels, blocked with .3, in seven bins.
+  CellOptions options = grey({{"size", "1024"}});
+  options.size = {16, 16};
+  Cell cell(cellDevice(device()), stack({opacity(0.3f)}), options);
+  const auto depths = cell.map("depth");
+  float floor = 1, pane = 0;
+  for (const float d : depths) {
+    if (d > 0) floor = std::min(floor, d);  // 0 is an empty texel
+    pane = std::max(pane, d);
+  }
+  const auto bin = [](int k) { return std::clamp(k - 4, 0, 6); };
+  double counts[7] = {}, expected[7] = {}, blocks = 0;
+  for (size_t y = 40; y + 5 < 980; y += 5)
+    for (size_t x = 40; x + 5 < 980; x += 5, ++blocks) {
+      int blocked = 0;
+      for (size_t j = 0; j < 25; ++j)
+        blocked += depths[(y + j / 5) * 1024 + x + j % 5] > 0.5f * (floor + pane);
+      ++counts[bin(blocked)];
+    }
+  double binomial = std::pow(1 - double(0.3f), 25);
+  for (int k = 0; k <= 25; ++k) {
+    expected[bin(k)] += blocks * binomial;
+    binomial *= double(25 - k) / (k + 1) * double(0.3f) / (1 - double(0.3f));
+  }
+  double chi2 = 0;
+  for (int b = 0; b < 7; ++b)
+    chi2 += (counts[b] - expected[b]) * (counts[b] - expected[b]) / expected[b];
+  EXPECT_LT(chi2, 29.9) << "six degrees of freedom: exceeded with 4e-5";
+}
+
 GPU_TEST(StochasticShadow, HardwareComparisonsKeepTheMeanAndAverageFour) {
   // A tap of four weighs (1-f) and f on each axis: sum of squares 4/9 on average (spec 03, P8).
   Cell cell(cellDevice(device()), stack({opacity(0.5f)}), grey({{"compare", "hardware"}}));
