@@ -178,10 +178,13 @@ GPU_TEST(StochasticSamples, SlopesShowNoAcneAndEdgesAreFiner) {
   for (const char* technique : {"StochasticShadowMap", "CSSM2"}) {
     Scene scene = floorScene();
     scene.lights[0] = sun({0.9, -1, 0.6});
-    CellOptions options = grey({{"msaa", "4"}, {"kernel", "3"}});
-    options.technique = technique;
-    Cell plain(cellDevice(device()), scene, options);
-    EXPECT_EQ(momentsOf(plain.visibility()[0], plain.size()).mean, glm::dvec3(1)) << technique;
+    // A wide filter has an allowance for curved surfaces, which would hide acne.
+    for (const char* kernel : {"1", "3"}) {
+      CellOptions options = grey({{"msaa", "4"}, {"kernel", kernel}});
+      options.technique = technique;
+      Cell plain(cellDevice(device()), scene, options);
+      EXPECT_EQ(momentsOf(plain.visibility()[0], plain.size()).mean, glm::dvec3(1)) << technique;
+    }
     // The edge of an opaque caster, in quarters of a texel.
     scene = floorScene();
     addHorizontal(scene, 0, {0.51f, 1, 0.3f}, 1, 1);
