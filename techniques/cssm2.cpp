@@ -104,6 +104,11 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
                                                      rhi::TextureUse::CopySource});
   }
 
+  static void shadeSamples(const Context& context, rhi::GraphicsPipelineDesc& desc) {
+    desc.sampleShading = true;
+    desc.vertex = &context.shaders.get("common/light_surface_samples.vert");
+  }
+
   void createPipelines(const Context& context) {
     bool opaque = false, perforated = false, translucent = false;
     for (const LightView& view : m_maps->views()) {
@@ -111,13 +116,15 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
       perforated |= !view.perforated.empty();
       translucent |= !view.translucent.empty();
     }
+    // Each sample has a depth of its own, and the channels hold it.
+    const bool everySample = m_coloured && m_samples > 1;
+    const char* coloured = everySample ? "cssm2/opaque_samples.frag" : "cssm2/opaque.frag";
     auto caster = [&](const char* label, const char* depthOnly, bool masked) {
-      rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(
-          context, label, m_coloured ? "cssm2/opaque.frag" : depthOnly, masked);
+      rhi::GraphicsPipelineDesc desc =
+          m_maps->casterPipeline(context, label, m_coloured ? coloured : depthOnly, masked);
       if (m_coloured) desc.targets = {{.format = m_colourFormat}};
       desc.samples = m_samples;
-      // Each sample has a depth of its own, and the channels hold it.
-      desc.sampleShading = m_coloured && m_samples > 1;
+      if (everySample) shadeSamples(context, desc);
       return context.pipelines.get(desc);
     };
     if (opaque) m_opaque = caster("cssm2 opaque", "", false);
@@ -127,7 +134,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
         context, "cssm2 translucent",
         m_samples > 1 ? "cssm2/samples.frag" : "cssm2/translucent.frag", false);
     desc.samples = m_samples;
-    desc.sampleShading = m_samples > 1;
+    if (everySample) shadeSamples(context, desc);
     // The nearest translucent layer must not hide the others: depth is tested, never written.
     desc.depth.write = false;
     desc.targets = {{.format = m_colourFormat,

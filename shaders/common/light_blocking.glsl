@@ -5,8 +5,12 @@
 #include "common/light_pass.glsl"
 #include "common/noise.glsl"
 layout(constant_id = 16) const bool kSharedNumbers = false;  // one number for all channels
-layout(location = 3) in vec4 v_uv;
-layout(location = 4) in vec4 v_color;
+// Shaders that run once a sample say `sample in`: left to the device, attributes differ between APIs.
+#ifndef LIGHT_INPUT
+#define LIGHT_INPUT in
+#endif
+layout(location = 3) LIGHT_INPUT vec4 v_uv;
+layout(location = 4) LIGHT_INPUT vec4 v_color;
 
 vec3 blockingProbability() {
   OpticsData optics = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);

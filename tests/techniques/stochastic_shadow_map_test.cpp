@@ -166,8 +166,8 @@ GPU_TEST(StochasticSamples, SubsetsOfLayersAreIndependent) {
   Cell cell(cellDevice(device()), stack({opacity(0.5f), opacity(0.5f)}), grey({{"msaa", "4"}}));
   const VisibilityImage& v = cell.visibility()[0];
   double counts[3] = {0, 0, 0}, total = 0;
-  for (uint32_t y = 70; y < 120; ++y)
-    for (uint32_t x = 140; x < 190; ++x, ++total)
+  for (uint32_t y = 80; y < 140; ++y)  // away from the seam of two triangles
+    for (uint32_t x = 180; x < 240; ++x, ++total)
       for (int k = 0; k < 3; ++k) counts[k] += v[4 * (size_t(y) * 256 + x)] == 0.25f * float(k);
   const double expected[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
   for (int k = 0; k < 3; ++k)
@@ -175,7 +175,7 @@ GPU_TEST(StochasticSamples, SubsetsOfLayersAreIndependent) {
 }
 
 GPU_TEST(StochasticSamples, SlopesShowNoAcneAndEdgesAreFiner) {
-  for (const char* technique : {"StochasticShadowMap", "CSSM2"}) {
+  for (const char* technique : {"StochasticShadowMap", "CSSM1", "CSSM2"}) {
     Scene scene = floorScene();
     scene.lights[0] = sun({0.9, -1, 0.6});
     // A wide filter has an allowance for curved surfaces, which would hide acne.
@@ -215,6 +215,32 @@ GPU_TEST(StochasticSamples, Cssm2DrawsEachSampleAnew) {
   }
   EXPECT_EQ(momentsOf(layers[1], cell.size()).mean, glm::dvec3(1));
   EXPECT_EQ(cell.renderer().reach(0).trials, 4u);
+}
+
+GPU_TEST(StochasticSamples, Cssm1KeepsASubsetInEachChannel) {
+  // Worked example of spec 04; a channel of p keeps floor(4 p) or one more: A's green .56 two or
+  // three.
+  for (const char* layered : {"vertex", "geometry"}) {
+    CellOptions options = single({{"msaa", "4"}, {"layered", layered}});
+    options.technique = "CSSM1";
+    Cell cell(cellDevice(device()), stack({workedA(), workedB()}), options);
+    const auto& layers = cell.visibility();
+    for (const auto& [layer, q] :
+         {std::pair{0, glm::dvec3(0.552, 0.396, 0.264)}, {2, glm::dvec3(0.92, 0.44, 0.44)}}) {
+      const Moments m = momentsOf(layers[size_t(layer)], cell.size());
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(m.mean[c], q[c], fourSigma(q[c], 4 * double(m.count))) << layer << " " << c;
+        EXPECT_LT(m.variance[c], 0.75 * q[c] * (1 - q[c]) / 4) << layer << " " << c;
+      }
+    }
+    size_t neither = 0;
+    for (uint32_t y = 90; y < 130; ++y)  // away from the seam of two triangles
+      for (uint32_t x = 170; x < 200; ++x) {
+        const float green = layers[2][4 * (size_t(y) * 256 + x) + 1];
+        neither += green != 0.5f && green != 0.25f;
+      }
+    EXPECT_EQ(neither, 0u);
+  }
 }
 
 GPU_TEST(StochasticSamples, ARefusalIsAnError) {
