@@ -1,9 +1,8 @@
 // Shadow mapping (Williams 1978) with percentage-closer filtering (Reeves, Salesin, Cook 1987);
 // spec 01. One depth-only pass a light (six for a point light), N x N comparisons a receiver.
 // Hard shadows of opaque casters; texel-sized error at edges; no colour, no penumbra.
-#include "shaders/common/shared_slots.h"
+#include "techniques/common/depth_compare.h"
 #include "techniques/common/registry.h"
-#include "techniques/common/shadow_maps.h"
 
 namespace sb {
 namespace {
@@ -26,17 +25,10 @@ class ShadowMap final : public ShadowTechnique {
     }
     if (opaque) m_opaque = pipeline("shadow map opaque", "", false);
     if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
-    const bool filters = context.device.formatCaps(m_maps->depthFormat()).linearFilter;
-    m_compareSampler = context.device.createSampler(
-        {.label = "shadow map compare",
-         .filter = filters ? rhi::Filter::Linear : rhi::Filter::Nearest,
-         .addressU = rhi::AddressMode::ClampToBorder,
-         .addressV = rhi::AddressMode::ClampToBorder,
-         .border = rhi::BorderColor::TransparentBlack,  // outside the map is lit (spec 01, P1)
-         .compare = rhi::CompareOp::GreaterOrEqual});
+    m_compare.emplace(context, *m_maps);
     m_constants = ShadowMaps::constants(context.knobs);
-    m_constants.push_back({19, context.knobs.is("compare", "hardware")});
-    m_constants.push_back({20, !filters});
+    m_constants.insert(m_constants.end(), m_compare->constants().begin(),
+                       m_compare->constants().end());
   }
 
   void record(Frame& frame) override {
@@ -54,8 +46,7 @@ class ShadowMap final : public ShadowTechnique {
   }
 
   VisibilityInputs inputs() const override {
-    return {.bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, m_maps->depth(), m_maps->pointSampler()),
-                         rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_maps->depth(), m_compareSampler)},
+    return {.bindings = m_compare->bindings(*m_maps),
             .reads = {rhi::use(m_maps->depth().id(), rhi::Access::Sampled)},
             .constants = m_constants};
   }
@@ -69,18 +60,14 @@ class ShadowMap final : public ShadowTechnique {
  private:
   std::optional<ShadowMaps> m_maps;
   rhi::PipelineId m_opaque, m_perforated;
-  rhi::Sampler m_compareSampler;
+  std::optional<DepthCompare> m_compare;
   bool m_translucentCast = false;
   std::vector<rhi::SpecConstant> m_constants;
 };
 
 std::vector<KnobInfo> knobs() {
   std::vector<KnobInfo> list = shadowMapKnobs("1");
-  list.push_back({.name = "compare",
-                  .help = "2x2 hardware comparison at every tap (in the shader where the device "
-                          "filters no depth), or one exact texel a tap",
-                  .fallback = "hardware",
-                  .choices = {"hardware", "manual"}});
+  list.push_back(compareKnob("hardware"));
   list.push_back({.name = "cull",
                   .help = "faces left out of the map: none, or front faces of closed casters",
                   .fallback = "none",

@@ -1,14 +1,3 @@
 #version 450
-// Pass A: an opaque caster's depth into all three channels.
-#include "common/options.glsl"
-#include "common/scene.glsl"
-#include "common/material.glsl"
-layout(location = 3) in vec4 v_uv;
-layout(location = 4) in vec4 v_color;
-layout(location = 0) out vec4 o_depths;
-
-void main() {
-  if (kMasked && lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha < 0.5)
-    discard;
-  o_depths = vec4(gl_FragCoord.zzz, 1);
-}
+#define LIGHT_INPUT in
+#include "cssm2/opaque.glsl"

@@ -21,7 +21,7 @@ std::vector<rhi::Binding>& DrawList::bindingsOf(uint32_t material) {
 }
 
 void DrawList::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
-                    std::span<const uint32_t> instances) {
+                    std::span<const uint32_t> instances, uint32_t copies) {
   const GpuScene& gpu = m_view->gpu();
   const rhi::VertexBufferBinding vertexBuffers[] = {{gpu.positions(), 0}, {gpu.attributes(), 0}};
   for (uint32_t i : instances) {
@@ -29,13 +29,14 @@ void DrawList::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
     const GpuScene::MeshRange& mesh = gpu.mesh(meshIndex);
     auto& bindings = bindingsOf(m_view->scene().meshes[meshIndex].material);
     bindings.front().offset = m_view->drawOffset(i);
-    commands.drawIndexed(
-        {.pipeline = pipeline,
-         .bindings = bindings,
-         .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
-         .indexBuffer = gpu.indices()},
-        {.indexCount = mesh.indexCount, .firstIndex = mesh.firstIndex,
-         .vertexOffset = mesh.vertexOffset});
+    commands.drawIndexed({.pipeline = pipeline,
+                          .bindings = bindings,
+                          .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
+                          .indexBuffer = gpu.indices()},
+                         {.indexCount = mesh.indexCount,
+                          .instanceCount = copies,
+                          .firstIndex = mesh.firstIndex,
+                          .vertexOffset = mesh.vertexOffset});
   }
 }
 

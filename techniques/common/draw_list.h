@@ -16,8 +16,12 @@ class DrawList {
   /// bind normals, uvs and textures too.
   DrawList(const SceneView& view, std::vector<rhi::Binding> extra, bool withAttributes);
 
+  /// Another binding beside the common ones; before the first draw.
+  void bind(const rhi::Binding& binding) { m_extra.push_back(binding); }
+
+  /// `copies`: how often each instance is drawn, told apart by gl_InstanceIndex.
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
-            std::span<const uint32_t> instances);
+            std::span<const uint32_t> instances, uint32_t copies = 1);
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, uint32_t instance) {
     draw(commands, pipeline, std::span(&instance, 1));
   }

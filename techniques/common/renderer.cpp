@@ -55,8 +55,8 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
   if (casts) {
     m_technique = m_desc.technique->make();
     m_technique->prepare(context());
-    folder = info.folder;
     inputs = m_technique->inputs();
+    folder = inputs.folder.empty() ? info.folder : inputs.folder;
   }
   m_camera = std::make_unique<CameraPass>(context(), folder, std::move(inputs),
                                           m_desc.transparency);

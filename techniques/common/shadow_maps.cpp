@@ -37,7 +37,16 @@ float depthStep(rhi::Format format) {
   }
 }
 
-ShadowMaps::ShadowMaps(const Context& context, float step) {
+KnobInfo mapSamplesKnob() {
+  return {.name = "msaa",
+          .unit = "samples",
+          .help = "of a texel, each an experiment of its own, compared one by one",
+          .fallback = "1",
+          .choices = {"1", "4"},
+          .sweep = {"1", "4"}};
+}
+
+ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape) : m_shape(shape) {
   const Knobs& knobs = context.knobs;
   m_size = knobs.integer("size");
   m_kernel = knobs.integer("kernel");
@@ -58,15 +67,20 @@ ShadowMaps::ShadowMaps(const Context& context, float step) {
   context.view.setShadowViews(context.device, m_views);
   m_layers = uint32_t(std::ranges::count_if(m_views, [](auto& v) { return v.layer() >= 0; }));
 
-  m_depth = context.device.createTexture(
-      {.label = "shadow map depth",
-       .kind = rhi::TextureKind::Tex2DArray,
-       .format = m_depthFormat,
-       .width = m_size,
-       .height = m_size,
-       .layers = std::max(1u, m_layers),
-       .use = rhi::TextureUse::DepthTarget | rhi::TextureUse::Sampled |
-              rhi::TextureUse::CopySource});
+  if (std::ranges::count(context.device.formatCaps(m_depthFormat).sampleCounts, shape.samples) == 0)
+    throw rhi::Error("shadow map depth", "",
+                     "the device has no " + std::string(rhi::formatInfo(m_depthFormat).name) +
+                         " targets of " + std::to_string(shape.samples) + " samples");
+  m_depth =
+      context.device.createTexture({.label = "shadow map depth",
+                                    .kind = rhi::TextureKind::Tex2DArray,
+                                    .format = m_depthFormat,
+                                    .width = m_size,
+                                    .height = m_size,
+                                    .layers = std::max(1u, m_layers) * shape.layersPerView,
+                                    .samples = shape.samples,
+                                    .use = rhi::TextureUse::DepthTarget | rhi::TextureUse::Sampled |
+                                           rhi::TextureUse::CopySource});
   m_pointSampler = context.device.createSampler({.label = "shadow map points",
                                                  .filter = rhi::Filter::Nearest,
                                                  .addressU = rhi::AddressMode::ClampToEdge,
@@ -116,8 +130,8 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
   return {.view = {.texture = m_depth.id(),
                    .baseMip = 0,
                    .mipCount = 1,
-                   .baseLayer = uint32_t(view.layer()),
-                   .layerCount = 1},
+                   .baseLayer = uint32_t(view.layer()) * m_shape.layersPerView,
+                   .layerCount = m_shape.layersPerView},
           .clearDepth = 0};
 }
 

@@ -15,11 +15,18 @@ std::vector<KnobInfo> shadowMapKnobs(const std::string& defaultKernel);
 constexpr EffectSet kShadingEffects = {Effect::MultipleLights, Effect::LocalLights,
                                        Effect::NormalMaps, Effect::Emission};
 
+/// Of the depth map.
+struct DepthShape {
+  uint32_t layersPerView = 1;
+  uint32_t samples = 1;
+};
+
 class ShadowMaps {
  public:
-  /// Fits the lights and creates the depth map, one layer a view. `depthStep`: coarsest step of the
-  /// formats that lookups read. Tells the scene view.
-  ShadowMaps(const Context& context, float depthStep);
+  /// Fits the lights and creates the depth map, one layer a view unless `shape` says otherwise.
+  /// `depthStep`: coarsest step of the formats that lookups read. Tells the scene view. Throws
+  /// rhi::Error when the device has no such depth map.
+  ShadowMaps(const Context& context, float depthStep, DepthShape shape = {});
 
   const std::vector<LightView>& views() const { return m_views; }
   uint32_t size() const { return m_size; }
@@ -42,8 +49,12 @@ class ShadowMaps {
                                            const std::string& fragment, bool masked) const;
   /// Bindings of a light pass: the pass block of one view.
   rhi::Binding passBlock(size_t view) const;
-  /// Attachment of one view's layer.
+  /// Attachment of one view's layers.
   rhi::DepthAttachment depthAttachment(const LightView& view) const;
+  /// A binding of every pass that draws surfaces; before the first draw.
+  void bind(const rhi::Binding& binding) {
+    for (DrawList& list : m_surfaces) list.bind(binding);
+  }
   /// Draw lists of a view's casters: positions only, and with attributes.
   DrawList& plain(size_t view) { return m_plain[view]; }
   DrawList& surfaces(size_t view) { return m_surfaces[view]; }
@@ -52,6 +63,7 @@ class ShadowMaps {
   uint32_t m_size = 0;
   uint32_t m_kernel = 1;
   uint32_t m_layers = 0;
+  DepthShape m_shape;
   rhi::Format m_depthFormat = rhi::Format::D32Float;
   std::vector<LightView> m_views;
   rhi::Texture m_depth;
@@ -60,6 +72,9 @@ class ShadowMaps {
   rhi::Sampler m_pointSampler;
   std::vector<DrawList> m_plain, m_surfaces;
 };
+
+/// Knob msaa: samples of a texel. (`samples` is StochasticTransparency's.)
+KnobInfo mapSamplesKnob();
 
 /// Step of depth that storing in a format rounds to; 0 for floats, which keep what was computed.
 float depthStep(rhi::Format format);

@@ -58,6 +58,8 @@ struct VisibilityInputs {
   std::vector<rhi::Binding> bindings;
   std::vector<rhi::ResourceUse> reads;
   std::vector<rhi::SpecConstant> constants;  ///< ids 16..31
+  /// Of the shaders, where it is not the technique's own: lookups into other kinds of texture.
+  std::string folder = {};
 };
 
 class ShadowTechnique {

@@ -194,7 +194,8 @@ TEST(Groups, EveryCellHasItsBaselineBesideIt) {
 }
 
 TEST(Groups, BaselinesThatWereAskedForAreNoCompanions) {
-  for (const auto& group : groupCells(select({})))
+  // In groups that hold a scene: smaller ones repeat their baseline.
+  for (const auto& group : groupCells(select({}), 64))
     for (const CellId& c : group) EXPECT_FALSE(c.companion);
 }
 

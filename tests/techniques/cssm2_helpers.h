@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cmath>
+#include <set>
 
 #include "shaders/common/shared_hash.h"
-#include "tests/techniques/gpu_cell.h"
 #include "suites/scenes/shapes.h"
+#include "tests/techniques/gpu_cell.h"
 
 namespace sb::test {
 

@@ -1,4 +1,5 @@
-// Properties that every technique must have (spec 17, G1-G6, G8, G9), for ShadowMap and CSSM2:
+// Properties that every technique must have (spec 17, G1-G6, G8, G9), for ShadowMap and the
+// stochastic ones:
 // moved, scaled, permuted, doubled, degenerate and perturbed scenes; finite pictures of any size.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ using namespace sb::test;
 
 namespace {
 
-const std::vector<std::string> kTechniques = {"ShadowMap", "CSSM2"};
+const std::vector<std::string> kTechniques = {"ShadowMap", "StochasticShadowMap", "CSSM1", "CSSM2"};
 
 CellOptions optionsOf(const std::string& technique) {
   CellOptions o{.technique = technique, .knobs = {{"kernel", "3"}}, .size = {96, 64}};

@@ -1,8 +1,8 @@
-// Decision D3 and the plan's proof on the drivers: without translucent casters CSSM2 is ShadowMap
-// at the same kernel with manual comparison, bit by bit and pass by pass; effects that a scene does
-// not call for change nothing when they are forced (index 00, skip planner).
-#include "tests/techniques/gpu_cell.h"
+// Decision D3 and the plan's proof on the drivers: without translucent casters the stochastic maps
+// are ShadowMap at the same kernel with manual comparison, bit by bit and pass by pass; effects
+// that a scene does not call for change nothing when they are forced (index 00, skip planner).
 #include "suites/scenes/shapes.h"
+#include "tests/techniques/gpu_cell.h"
 
 using namespace sb;
 using namespace sb::test;
@@ -27,15 +27,15 @@ CellOptions manual(EffectSet forced = {}) {
           .forced = forced};
 }
 
-CellOptions cssm2(EffectSet forced = {}) {
-  return {.technique = "CSSM2", .knobs = {{"kernel", "3"}}, .size = {96, 64}, .forced = forced};
+const std::vector<std::string> kStochastic = {"StochasticShadowMap", "CSSM1", "CSSM2"};
+
+CellOptions stochastic(const std::string& technique, EffectSet forced = {}) {
+  return {.technique = technique, .knobs = {{"kernel", "3"}}, .size = {96, 64}, .forced = forced};
 }
 
-}  // namespace
-
-GPU_TEST(Identity, OpaqueOnlyCssm2IsShadowMap) {
-  Cell a(cellDevice(device()), opaqueOnly(), manual());
-  Cell b(cellDevice(device()), opaqueOnly(), cssm2());
+void expectShadowMap(CellDevice& device, const std::string& technique) {
+  Cell a(device, opaqueOnly(), manual());
+  Cell b(device, opaqueOnly(), stochastic(technique));
   EXPECT_EQ(a.picture().rgba, b.picture().rgba);
   for (uint32_t light = 0; light < 3; ++light) EXPECT_EQ(a.visibility(light), b.visibility(light));
   EXPECT_FALSE(b.hasMap("colours"));
@@ -51,16 +51,39 @@ GPU_TEST(Identity, OpaqueOnlyCssm2IsShadowMap) {
   }
   EXPECT_EQ(a.renderer().bytesByLabel(), b.renderer().bytesByLabel());
   // The same number of pipelines, each made afresh.
-  CellDevice fresh(device()), other(device());
+  CellDevice fresh(device.device), other(device.device);
   Cell(fresh, opaqueOnly(), manual());
-  Cell(other, opaqueOnly(), cssm2());
+  Cell(other, opaqueOnly(), stochastic(technique));
   EXPECT_EQ(fresh.pipelines.size(), other.pipelines.size());
 }
 
+}  // namespace
+
+GPU_TEST(Identity, OpaqueOnlyStochasticMapsAreShadowMap) {
+  for (const std::string& technique : kStochastic) {
+    SCOPED_TRACE(technique);
+    expectShadowMap(cellDevice(device()), technique);
+  }
+}
+
+GPU_TEST(Identity, HardwareComparisonIsShadowMapsToo) {
+  CellOptions reference = manual();
+  reference.knobs["compare"] = "hardware";
+  Cell a(cellDevice(device()), opaqueOnly(), reference);
+  for (const char* technique : {"StochasticShadowMap", "CSSM1"}) {
+    CellOptions options = stochastic(technique);
+    options.knobs["compare"] = "hardware";
+    Cell b(cellDevice(device()), opaqueOnly(), options);
+    EXPECT_EQ(a.picture().rgba, b.picture().rgba) << technique;
+  }
+}
+
 GPU_TEST(Identity, ForcedEffectsLeaveThePictureAlone) {
-  for (const bool coloured : {false, true}) {
+  std::vector<std::string> techniques = kStochastic;
+  techniques.push_back("ShadowMap");
+  for (const std::string& technique : techniques) {
     const auto options = [&](EffectSet forced) {
-      return coloured ? cssm2(forced) : manual(forced);
+      return technique == "ShadowMap" ? manual(forced) : stochastic(technique, forced);
     };
     Cell plain(cellDevice(device()), opaqueOnly(), options({}));
     const auto picture = plain.picture().rgba;
@@ -70,10 +93,14 @@ GPU_TEST(Identity, ForcedEffectsLeaveThePictureAlone) {
          {EffectSet{Effect::TranslucentCasters}, EffectSet{Effect::NormalMaps},
           EffectSet{Effect::CameraTransparency, Effect::CameraLayers}, everything}) {
       Cell cell(cellDevice(device()), opaqueOnly(), options(forced));
-      EXPECT_EQ(picture, cell.picture().rgba) << coloured;
-      const bool colours = coloured && forced.has(Effect::TranslucentCasters);
-      EXPECT_EQ(cell.hasMap("colours"), colours);
-      EXPECT_EQ(cell.renderer().plan().forced.has(Effect::TranslucentCasters), colours);
+      EXPECT_EQ(picture, cell.picture().rgba) << technique;
+      const bool translucent = technique != "ShadowMap" && forced.has(Effect::TranslucentCasters);
+      EXPECT_EQ(cell.hasMap("colours"), translucent && technique == "CSSM2");
+      EXPECT_EQ(cell.renderer().plan().forced.has(Effect::TranslucentCasters), translucent);
+      // Forced, CSSM1 draws into three layers a view: the memory says that it was executed.
+      const auto bytes = cell.renderer().bytesByLabel().at("shadow map depth");
+      EXPECT_EQ(bytes, plain.renderer().bytesByLabel().at("shadow map depth") *
+                           (translucent && technique == "CSSM1" ? 3 : 1));
     }
   }
 }
@@ -85,8 +112,8 @@ GPU_TEST(Identity, LightsAndCastersOutOfReachLeaveThePictureAlone) {
   addLight(more, far);
   addBox(more, 0, {100, -50, 100}, {101, -49, 101});
   for (const bool coloured : {false, true}) {
-    Cell a(cellDevice(device()), near, coloured ? cssm2() : manual());
-    Cell b(cellDevice(device()), more, coloured ? cssm2() : manual());
+    Cell a(cellDevice(device()), near, coloured ? stochastic("CSSM2") : manual());
+    Cell b(cellDevice(device()), more, coloured ? stochastic("CSSM2") : manual());
     EXPECT_EQ(a.result().counters.draws, b.result().counters.draws);
     EXPECT_EQ(a.result().passes.size(), b.result().passes.size());
     EXPECT_EQ(a.picture().rgba, b.picture().rgba);

@@ -72,9 +72,12 @@ std::vector<Call> anonymous(std::vector<Call> calls) {
 TEST(PlanOfPasses, OpaqueOnlyEveryTechniqueIsShadowMap) {
   const Recorded a = record(opaqueScene(), "ShadowMap", {{"compare", "manual"}});
   const Recorded b = record(opaqueScene(), "CSSM2");
-  EXPECT_EQ(anonymous(a.calls), anonymous(b.calls));
-  EXPECT_EQ(a.bytes, b.bytes);
-  EXPECT_EQ(a.pipelines, b.pipelines);
+  for (const char* technique : {"StochasticShadowMap", "CSSM1", "CSSM2"}) {
+    const Recorded other = record(opaqueScene(), technique);
+    EXPECT_EQ(anonymous(a.calls), anonymous(other.calls)) << technique;
+    EXPECT_EQ(a.bytes, other.bytes) << technique;
+    EXPECT_EQ(a.pipelines, other.pipelines) << technique;
+  }
   EXPECT_EQ(passes(a), (std::vector<std::string>{"shadow map", "opaque"}));
   EXPECT_EQ(draws(a, "shadow map"), 2u);
   std::set<Effect> skipped;
@@ -107,6 +110,22 @@ TEST(PlanOfPasses, APaneAddsItsOwnAndNothingElse) {
   EXPECT_EQ(before.calls, after.calls);
   EXPECT_EQ(before.frame.counters.draws, after.frame.counters.draws);
   EXPECT_EQ(before.pipelines, after.pipelines);
+}
+
+TEST(PlanOfPasses, APaneCostsAStochasticMapOneDrawAndNoPass) {
+  for (const char* technique : {"StochasticShadowMap", "CSSM1"}) {
+    const Recorded before = record(opaqueScene(), technique);
+    const Recorded with = record(withPane(opaqueScene()), technique);
+    EXPECT_EQ(passes(with), (std::vector<std::string>{"shadow map", "opaque", "translucent"}));
+    EXPECT_EQ(draws(with, "shadow map"), draws(before, "shadow map") + 1) << technique;
+    EXPECT_EQ(with.pipelines, before.pipelines + 2) << technique;
+    // CSSM1 draws each triangle three times, into three layers.
+    const uint64_t channels = std::string(technique) == "CSSM1" ? 3 : 1;
+    EXPECT_EQ(with.bytes.at("shadow map depth"), channels * before.bytes.at("shadow map depth"));
+    EXPECT_EQ(with.frame.passes[0].counters.triangles,
+              channels * (before.frame.passes[0].counters.triangles + 2));
+    EXPECT_EQ(with.bytes.size(), before.bytes.size()) << technique;
+  }
 }
 
 TEST(PlanOfPasses, ThePaneCostsShadowMapOnlyItsPicture) {
@@ -160,7 +179,9 @@ TEST(PlanOfPasses, WhatIsNotRepresentedIsListed) {
     return std::ranges::find(r.plan.unrepresented, e) != r.plan.unrepresented.end();
   };
   const Recorded none = record(scene, "none"), map = record(scene, "ShadowMap"),
-                 cssm2 = record(scene, "CSSM2");
+                 cssm2 = record(scene, "CSSM2"), grey = record(scene, "StochasticShadowMap");
+  EXPECT_FALSE(has(grey, Effect::TranslucentCasters));
+  EXPECT_TRUE(has(grey, Effect::ColouredTransmission));
   EXPECT_TRUE(has(none, Effect::OpaqueCasters));
   EXPECT_TRUE(has(none, Effect::TranslucentCasters));
   EXPECT_FALSE(has(map, Effect::OpaqueCasters));

@@ -2,6 +2,7 @@
 target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/composited_translucent_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/cssm1_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_expectation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/filter_test.cpp
@@ -9,9 +10,11 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/hash_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/identity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/local_lights_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/stochastic_shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
   ${CMAKE_CURRENT_LIST_DIR}/translucent_shadows_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/transparency_exact_test.cpp
@@ -25,4 +28,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp)

@@ -1,0 +1,13 @@
+#version 450
+// The same where only geometry shaders pick layers.
+layout(triangles, invocations = 3) in;
+layout(triangle_strip, max_vertices = 3) out;
+
+void main() {
+  for (int i = 0; i < 3; ++i) {
+    gl_Position = gl_in[i].gl_Position;
+    gl_Layer = gl_InvocationID;
+    EmitVertex();
+  }
+  EndPrimitive();
+}

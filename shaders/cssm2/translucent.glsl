@@ -1,0 +1,14 @@
+// Pass B: each channel of a translucent caster blocks with probability p = alpha (1 - t). Blended
+// by MAX of the reversed depth, so that the blocker nearest to the light remains in each channel, in
+// any order of drawing.
+#include "common/options.glsl"
+#include "common/scene.glsl"
+#include "common/material.glsl"
+#include "common/light_blocking.glsl"
+layout(location = 0) out vec4 o_depths;
+
+void writeDepths(uint sampleIndex) {
+  bvec3 blocked = blockedChannels(sampleIndex);
+  if (!any(blocked)) discard;
+  o_depths = vec4(mix(vec3(0), gl_FragCoord.zzz, vec3(blocked)), 1);
+}

@@ -1,0 +1,149 @@
+// Stochastic shadow maps (Enderton, Sintorn, Shirley, Luebke 2010); spec 03. One depth-only pass a
+// light: opaque casters, then translucent ones, each texel of which is kept with the probability of
+// its opacity. N x N comparisons a receiver. Right in expectation at every receiver, but grey:
+// noise falls as 1/N, the filter blurs by N texels.
+//   opacity=luminance  alpha (1 - luminance of t): the light that is lost, exact for grey t, and
+//   what
+//                      coloured techniques are compared with (spec 17, G10); the default
+//   opacity=alpha      as published: what passes a surface is neither tinted nor counted
+//   msaa=4             each fragment keeps a random subset of the samples, stratified
+#include "shaders/common/shared_slots.h"
+#include "techniques/common/depth_compare.h"
+#include "techniques/common/noise.h"
+#include "techniques/common/registry.h"
+
+namespace sb {
+namespace {
+
+class StochasticShadowMap final : public ShadowTechnique {
+ public:
+  void prepare(const Context& context) override {
+    m_samples = context.knobs.integer("msaa");
+    m_maps.emplace(context, 0.0f, DepthShape{.samples = m_samples});
+    if (m_samples == 1) m_compare.emplace(context, *m_maps);
+    createPipelines(context);
+    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants.push_back({21, m_samples});
+    if (m_compare)
+      m_constants.insert(m_constants.end(), m_compare->constants().begin(),
+                         m_compare->constants().end());
+    // Samples of one texel share a number and bilinear taps weigh unequally: no trials there.
+    const uint32_t kernel = context.knobs.integer("kernel");
+    const bool equal =
+        m_samples == 1 && context.knobs.is("shape", "box") && context.knobs.is("compare", "manual");
+    m_trials = m_noise && equal && m_noise->independent() ? kernel * kernel : 0;
+  }
+
+  void record(Frame& frame) override {
+    for (size_t i = 0; i < m_maps->views().size(); ++i) {
+      const LightView& view = m_maps->views()[i];
+      if (view.layer() < 0) continue;
+      // Opaque casters first: what they hide is tested away early and could not win (spec 03).
+      frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
+                 [&](rhi::CommandList& commands) {
+                   m_maps->plain(i).draw(commands, m_opaque, view.opaque);
+                   m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+                   if (m_translucent)
+                     m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+                 });
+    }
+  }
+
+  VisibilityInputs inputs() const override {
+    VisibilityInputs inputs{.bindings = {},
+                            .reads = {rhi::use(m_maps->depth().id(), rhi::Access::Sampled)},
+                            .constants = m_constants};
+    if (m_compare) {
+      inputs.bindings = m_compare->bindings(*m_maps);
+    } else {
+      inputs.bindings = {
+          rhi::textureAt(TEXTURE_TECHNIQUE, m_maps->depth(), m_maps->pointSampler())};
+      inputs.folder = "stochastic_shadow_map_samples";
+    }
+    return inputs;
+  }
+
+  std::vector<std::pair<std::string, rhi::TextureId>> maps() const override {
+    if (m_samples > 1) return {};  // samples cannot be read back one by one
+    return {{"depth", m_maps->depth()}};
+  }
+
+  LookupReach reach(uint32_t light) const override {
+    LookupReach reach = m_maps->reach(light);
+    reach.trials = m_trials;
+    return reach;
+  }
+
+ private:
+  void createPipelines(const Context& context) {
+    bool opaque = false, perforated = false, translucent = false;
+    for (const LightView& view : m_maps->views()) {
+      opaque |= !view.opaque.empty();
+      perforated |= !view.perforated.empty();
+      translucent |= !view.translucent.empty();
+    }
+    auto caster = [&](const char* label, const char* fragment, bool masked) {
+      rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(context, label, fragment, masked);
+      desc.samples = m_samples;
+      return desc;
+    };
+    if (opaque) m_opaque = context.pipelines.get(caster("shadow map opaque", "", false));
+    if (perforated)
+      m_perforated =
+          context.pipelines.get(caster("shadow map perforated", "common/masked.frag", true));
+    if (!context.plan.runs(Effect::TranslucentCasters) || !translucent) return;
+    m_noise.emplace(context);
+    m_maps->bind(m_noise->binding());
+    rhi::GraphicsPipelineDesc desc =
+        caster("shadow map translucent",
+               m_samples > 1 ? "stochastic_shadow_map/samples.frag"
+                             : "stochastic_shadow_map/translucent.frag",
+               false);
+    desc.constants.push_back({17, context.knobs.is("opacity", "luminance")});
+    if (m_samples > 1) desc.constants.push_back({18, m_samples});
+    desc.constants.insert(desc.constants.end(), m_noise->constants().begin(),
+                          m_noise->constants().end());
+    m_translucent = context.pipelines.get(desc);
+  }
+
+  std::optional<ShadowMaps> m_maps;
+  std::optional<DepthCompare> m_compare;  ///< of maps of one sample a texel
+  std::optional<Noise> m_noise;
+  uint32_t m_samples = 1;
+  uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
+  rhi::PipelineId m_opaque, m_perforated, m_translucent;
+  std::vector<rhi::SpecConstant> m_constants;
+};
+
+std::vector<KnobInfo> knobs() {
+  std::vector<KnobInfo> list = shadowMapKnobs("9");
+  list.push_back({.name = "opacity",
+                  .help = "of a translucent caster: the luminance that it takes, or its alpha "
+                          "whatever passes through it",
+                  .fallback = "luminance",
+                  .choices = {"luminance", "alpha"}});
+  list.push_back(noiseKnob());
+  list.push_back(mapSamplesKnob());
+  // One exact texel a tap, as in CSSM2: equal weights, whose bias can be certified.
+  list.push_back(compareKnob("manual"));
+  return list;
+}
+
+REGISTER_TECHNIQUE(
+    ShadowTechnique, StochasticShadowMap,
+    (TechniqueInfo{
+        .name = "StochasticShadowMap",
+        .folder = "stochastic_shadow_map",
+        .title = "Stochastic shadow maps, grey",
+        .paper = "Enderton, Sintorn, Shirley, Luebke 2010",
+        .represents = kShadingEffects |
+                      EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
+                                Effect::TranslucentCasters, Effect::TexturedTransmission,
+                                Effect::TranslucentReceivers, Effect::TranslucentOverlap},
+        .knobs = knobs(),
+        .error = "coloured transmission becomes grey; none in expectation otherwise; noise at "
+                 "finite kernels, edges blurred by the kernel",
+        .stochastic = true}));
+
+}  // namespace
+}  // namespace sb
