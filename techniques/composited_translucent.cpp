@@ -24,15 +24,25 @@ namespace {
 class CompositedTranslucent final : public ShadowTechnique {
  public:
   void prepare(const Context& context) override {
+    m_view = &context.view;
+    m_context.emplace(context);
     m_maps.emplace(context, 0.0f);
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
     createOpaque(context);
     if (m_translucent) createTranslucent(context);
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, m_translucent});
-    m_constants.push_back({20, m_peel && !m_peel->groups().empty()});
+    m_constants.push_back({20, m_peel && !m_peel->empty()});
     m_constants.push_back({21, m_nearest.id() != rhi::TextureId{}});
-    m_receivers = receiverTable(context);
+    createReceivers(context);
+  }
+
+  void cameraMoved(Frame& frame) override {
+    if (m_levelled) planLevels();
+    if (m_peel) m_peel->use(m_view->step());
+    planParts();
+    const std::vector<glm::uvec4> table = receiverTable();
+    frame.commands().write(m_receivers, 0, std::as_bytes(std::span(table)));
   }
 
   void record(Frame& frame) override {
@@ -114,68 +124,89 @@ class CompositedTranslucent final : public ShadowTechnique {
   }
 
   void createTranslucent(const Context& context) {
-    const bool source = context.knobs.is("partition", "source");
-    const bool batches = context.knobs.is("partition", "batches");
+    m_partition = context.knobs.text("partition");
+    m_cap = context.knobs.integer("levels");
     m_format = colourMapFormat(context.knobs);
-    m_levelled = !source && !batches;
+    m_levelled = m_partition == "levels" || m_partition == "peeled";
     uint32_t layers = std::max(1u, m_maps->layers());
-    if (m_levelled) layers = planLevels(context);
+    if (m_levelled) layers = createLevels(context);
     if (layers > 0) {
       m_colour = m_maps->createLike(context, "shadow colour", m_format, layers);
       m_colourPipeline = context.pipelines.get(
           colourPipeline(context, *m_maps, "composited_translucent/colour.frag", m_format));
+      if (m_levelled && m_view->steps() > 1) ShadowMaps::clear(context, m_colour);
     }
     if (m_levelled) return;
     m_nearest = m_maps->createLike(context, "translucent depth", m_maps->depthFormat());
     m_nearestPipeline = context.pipelines.get(m_maps->casterPipeline(
         context, "translucent depth", "translucent_shadows/depth.frag", false));
     // Nothing lies in another's shadow: one map serves all (spec 05, "Skip").
-    if (!context.plan.runs(Effect::TranslucentOverlap)) return;
-    source ? planMeshes(context) : planBatches(context);
+    m_inParts = context.plan.runs(Effect::TranslucentOverlap);
+    planParts();
   }
 
-  /// Levels and peeled groups of all views; returns the layers that the colour map needs.
-  uint32_t planLevels(const Context& context) {
-    const bool peeled = context.knobs.is("partition", "peeled");
-    std::vector<PeelGroup> groups;
+  /// Levels and peeled groups of all views at every step; returns the layers that the colour map
+  /// needs.
+  uint32_t createLevels(const Context& context) {
+    std::vector<std::vector<PeelGroup>> steps;
+    uint32_t most = 0;
+    bool peels = false;
+    context.view.alongPath(context.device, [&] {
+      most = std::max(most, planLevels());
+      std::vector<PeelGroup>& groups = steps.emplace_back();
+      for (size_t i = 0; i < m_levels.size(); ++i)
+        for (const auto& group : m_levels[i].levels.peeled)
+          if (!group.empty()) groups.push_back({.view = i, .instances = group});
+      for (PeelGroup& group : groups)
+        group.count = LightPeel::countLayers(
+            context, *m_maps, group,
+            [&](rhi::CommandList& commands, size_t view) { drawOpaque(commands, view); });
+      peels |= !groups.empty();
+    });
+    if (peels) m_peel.emplace(context, *m_maps, std::move(steps), m_cap, m_format);
+    return most;
+  }
+
+  /// Levels of all views where the camera stands; returns their layers of the colour map.
+  uint32_t planLevels() {
+    const bool peeled = m_partition == "peeled";
     uint32_t layers = 0;
-    m_levels.resize(m_maps->views().size());
+    m_levels.assign(m_maps->views().size(), {});
     for (size_t i = 0; i < m_levels.size(); ++i) {
       if (m_maps->views()[i].layer() < 0) continue;
-      const LightOverlap overlap = lightOverlap(context.view, m_maps->views()[i]);
+      const LightOverlap overlap = lightOverlap(*m_view, m_maps->views()[i]);
       LightLevels& levels = m_levels[i].levels;
-      levels =
-          peeled ? onePeeledLevel(overlap) : lightLevels(overlap, context.knobs.integer("levels"));
+      levels = peeled ? onePeeledLevel(overlap) : lightLevels(overlap, m_cap);
       m_levels[i].firstLayer = layers;
       if (!peeled) layers += uint32_t(levels.casters.size());
-      for (const auto& group : levels.peeled)
-        if (!group.empty()) groups.push_back({.view = i, .instances = group});
     }
-    if (!groups.empty())
-      m_peel.emplace(context, *m_maps, std::move(groups), context.knobs.integer("levels"), m_format,
-                     [&](rhi::CommandList& commands, size_t view) { drawOpaque(commands, view); });
     return layers;
   }
 
+  void planParts() {
+    if (!m_inParts) return;
+    m_parts.clear();
+    m_before.clear();
+    m_partition == "source" ? planMeshes() : planBatches();
+  }
+
   /// The source's partition: each mesh alone, with all whose centres are nearer to the light.
-  void planMeshes(const Context& context) {
-    const std::vector<LightOrder> orders = lightOrder(context, *m_maps, "centre");
-    for (const uint32_t mesh :
-         backToFront(context.view, context.view.effects().visibleTranslucent)) {
+  void planMeshes() {
+    const std::vector<LightOrder> orders = lightOrder(*m_context, *m_maps, "centre");
+    for (const uint32_t mesh : backToFront(*m_view, m_view->effects().visibleTranslucent)) {
       m_parts.push_back({mesh});
       auto& before = m_before.emplace_back(orders.size());
       for (size_t v = 0; v < orders.size(); ++v) {
-        const auto& order = orders[v].instances;
+        const std::vector<uint32_t>& order = orders[v].instances();
         before[v].assign(order.begin(), std::ranges::find(order, mesh));
       }
     }
   }
 
-  void planBatches(const Context& context) {
+  void planBatches() {
     std::vector<LightOverlap> overlaps;
-    for (const LightView& view : m_maps->views())
-      overlaps.push_back(lightOverlap(context.view, view));
-    const auto order = backToFront(context.view, context.view.effects().visibleTranslucent);
+    for (const LightView& view : m_maps->views()) overlaps.push_back(lightOverlap(*m_view, view));
+    const auto order = backToFront(*m_view, m_view->effects().visibleTranslucent);
     m_parts = lightBatches(order, overlaps);
     for (const std::vector<uint32_t>& part : m_parts) {
       auto& before = m_before.emplace_back();
@@ -183,8 +214,18 @@ class CompositedTranslucent final : public ShadowTechnique {
     }
   }
 
-  rhi::Buffer receiverTable(const Context& context) const {
-    const uint32_t instances = uint32_t(context.view.scene().instances.size());
+  void createReceivers(const Context& context) {
+    const std::vector<glm::uvec4> table = receiverTable();
+    m_receivers =
+        context.device.createBuffer({.label = "receiver layers",
+                                     .size = table.size() * sizeof table[0],
+                                     .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
+    context.device.upload(m_receivers, 0, std::as_bytes(std::span(table)));
+  }
+
+  /// For each view and instance what it reads, see shaders/composited_translucent/visibility.glsl.
+  std::vector<glm::uvec4> receiverTable() const {
+    const uint32_t instances = uint32_t(m_view->scene().instances.size());
     std::vector<glm::uvec4> table = {glm::uvec4(instances, 0, 0, 0)};
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       // Whatever is no node lies behind every caster before the first opaque surface.
@@ -204,12 +245,7 @@ class CompositedTranslucent final : public ShadowTechnique {
         if (group) entry = {entry.x, group->first, group->count, 0};
       }
     }
-    rhi::Buffer buffer =
-        context.device.createBuffer({.label = "receiver layers",
-                                     .size = table.size() * sizeof table[0],
-                                     .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
-    context.device.upload(buffer, 0, std::as_bytes(std::span(table)));
-    return buffer;
+    return table;
   }
 
   /// 1 + layer of the colour behind the first `levels` levels; 0 behind none.
@@ -266,7 +302,12 @@ class CompositedTranslucent final : public ShadowTechnique {
                      });
   }
 
+  const SceneView* m_view = nullptr;
+  std::optional<const Context> m_context;
   std::optional<ShadowMaps> m_maps;
+  std::string m_partition;
+  uint32_t m_cap = 0;      ///< knob levels
+  bool m_inParts = false;  ///< maps are made for parts of the picture
   bool m_translucent = false;
   bool m_levelled = false;  ///< maps serve all receivers: levels or peeled layers
   rhi::Format m_format = rhi::Format::Undefined;

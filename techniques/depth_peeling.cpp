@@ -4,6 +4,7 @@
 // two colour targets. Exact up to `layers`; coplanar surfaces count as one layer, and what lies
 // behind the last layer is lost: an error of at most the product of (1 - a) in front of it.
 //   stop=query  stops behind the first empty layer, which an occlusion query found a frame earlier
+//               (of a camera in motion: a loop earlier, at the same place)
 //   stop=count  always peels `layers` times
 #include <algorithm>
 
@@ -17,7 +18,6 @@ namespace {
 class DepthPeeling final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
-    m_instances = context.view.effects().visibleTranslucent;
     m_most = context.knobs.integer("layers");
     m_byQuery = context.knobs.is("stop", "query");
     if (m_byQuery) m_queries = PassQueries(context.device, "depth peeling layers", m_most);
@@ -49,7 +49,7 @@ class DepthPeeling final : public TransparencyTechnique {
   }
 
   void record(Frame& frame, CameraPass& camera) override {
-    const uint32_t layers = layersToPeel();
+    const uint32_t layers = layersToPeel(camera.view().step());
     for (uint32_t layer = 0; layer < layers; ++layer) {
       peel(frame, camera, layer);
       slideUnder(frame, layer == 0);
@@ -86,11 +86,11 @@ class DepthPeeling final : public TransparencyTechnique {
         context.device.createSampler({.label = "peeling sampler", .filter = rhi::Filter::Nearest});
   }
 
-  /// One more than the last frame had layers: the empty one proves that none is left. All when
+  /// One more than the last frame (of this step) had layers: the empty one proves that none is left. All when
   /// that is not known, or when there was something in the last one.
-  uint32_t layersToPeel() {
+  uint32_t layersToPeel(uint32_t step) {
     if (!m_byQuery) return m_most;
-    const std::vector<uint64_t> samples = m_queries.take();
+    const std::vector<uint64_t> samples = m_atSteps.next(m_queries.take(), step);
     const auto empty = std::ranges::find(samples, 0u);
     return empty == samples.end() ? m_most : uint32_t(empty - samples.begin()) + 1;
   }
@@ -107,7 +107,7 @@ class DepthPeeling final : public TransparencyTechnique {
                         .reads = reads},
                        [&](rhi::CommandList& commands) {
                          auto draw = [&] {
-                           draws.draw(commands, layer == 0 ? m_peelFirst : m_peel, m_instances);
+                           draws.draw(commands, layer == 0 ? m_peelFirst : m_peel, camera.translucent());
                          };
                          if (m_byQuery)
                            m_queries.count(commands, draw);
@@ -128,10 +128,10 @@ class DepthPeeling final : public TransparencyTechnique {
                });
   }
 
-  std::vector<uint32_t> m_instances;
   uint32_t m_most = 0;
   bool m_byQuery = false;
   PassQueries m_queries;
+  PassesAtSteps m_atSteps;
   rhi::Texture m_depth[2], m_layer, m_layers;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_peel, m_peelFirst, m_under, m_composite;

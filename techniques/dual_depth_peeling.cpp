@@ -38,7 +38,6 @@ constexpr rhi::BlendState kOver = {.enabled = true,
 class DualDepthPeeling final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
-    m_instances = context.view.effects().visibleTranslucent;
     m_most = (context.knobs.integer("layers") + 1) / 2;
     m_byQuery = context.knobs.is("stop", "query");
     if (m_byQuery) m_queries = PassQueries(context.device, "dual depth peeling", m_most + 1);
@@ -70,13 +69,13 @@ class DualDepthPeeling final : public TransparencyTechnique {
   }
 
   void record(Frame& frame, CameraPass& camera) override {
-    const uint32_t passes = passesToRun();
+    const uint32_t passes = passesToRun(camera.view().step());
     const rhi::ColorAttachment bounds{.view = {.texture = m_bounds[0]}, .clear = kNothing};
     const rhi::ResourceUse opaque = rhi::use(camera.depth(), rhi::Access::Sampled);
     camera.surfacePass(
         frame,
         {.label = "nearest and farthest", .colors = std::span(&bounds, 1), .reads = {&opaque, 1}},
-        [&](rhi::CommandList& commands) { m_all.draw(commands, m_init, m_instances); });
+        [&](rhi::CommandList& commands) { m_all.draw(commands, m_init, camera.translucent()); });
     for (uint32_t i = 0; i < passes; ++i) peel(frame, camera, i);
     composite(frame, camera, m_bounds[passes % 2]);
   }
@@ -109,10 +108,10 @@ class DualDepthPeeling final : public TransparencyTechnique {
         {.label = "dual peeling sampler", .filter = rhi::Filter::Nearest});
   }
 
-  /// As many as drew something in the last frame, if nothing was left behind them; else all.
-  uint32_t passesToRun() {
+  /// As many as drew something in the last frame (of this step), if nothing was left behind them; else all.
+  uint32_t passesToRun(uint32_t step) {
     if (!m_byQuery) return m_most;
-    std::vector<uint64_t> samples = m_queries.take();
+    std::vector<uint64_t> samples = m_atSteps.next(m_queries.take(), step);
     if (samples.empty() || samples.back() > 0) return m_most;
     samples.pop_back();
     return uint32_t(std::ranges::find(samples, 0u) - samples.begin());
@@ -129,7 +128,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
     camera.surfacePass(frame, {.label = "peel both sides", .colors = colors, .reads = reads},
                        [&](rhi::CommandList& commands) {
                          counted(commands,
-                                 [&] { m_between[i % 2].draw(commands, m_peel, m_instances); });
+                                 [&] { m_between[i % 2].draw(commands, m_peel, camera.translucent()); });
                        });
   }
 
@@ -153,10 +152,10 @@ class DualDepthPeeling final : public TransparencyTechnique {
       draws();
   }
 
-  std::vector<uint32_t> m_instances;
   uint32_t m_most = 0;
   bool m_byQuery = false;
   PassQueries m_queries;  ///< of each peeling pass, and last of what is left
+  PassesAtSteps m_atSteps;
   rhi::Texture m_bounds[2], m_front, m_back;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_init, m_peel, m_composite, m_left;

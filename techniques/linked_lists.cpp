@@ -22,7 +22,6 @@ class LinkedLists final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
     m_device = &context.device;
-    m_instances = context.view.effects().visibleTranslucent;
     const bool half = context.knobs.is("nodes", "rgba16f");
     const uint64_t perPixel = context.knobs.integer("pool");
     const auto [width, height] = context.view.size();
@@ -58,7 +57,7 @@ class LinkedLists final : public TransparencyTechnique {
              rhi::DepthAttachment{
                  .view = {.texture = camera.depth()}, .load = rhi::LoadOp::Load, .readOnly = true},
          .writes = writes},
-        [&](rhi::CommandList& commands) { m_draws.draw(commands, m_build, m_instances); });
+        [&](rhi::CommandList& commands) { m_draws.draw(commands, m_build, camera.translucent()); });
     const rhi::ResourceUse reads[] = {rhi::use(m_heads.id(), rhi::Access::StorageRead),
                                       rhi::use(m_nodes.id(), rhi::Access::StorageRead)};
     camera.compositePass(frame, "sort and composite", reads, [&](rhi::CommandList& commands) {
@@ -79,7 +78,15 @@ class LinkedLists final : public TransparencyTechnique {
 
  private:
   /// Fragments of all translucent surfaces, those behind opaque ones included: no more can come.
+  /// Of a camera in motion: at the step that has most.
   uint64_t countFragments(const Context& context, const CameraPass& camera) const {
+    uint64_t most = 1;
+    context.view.alongPath(context.device,
+                           [&] { most = std::max(most, countNow(context, camera)); });
+    return most;
+  }
+
+  uint64_t countNow(const Context& context, const CameraPass& camera) const {
     PassQueries query(context.device, "list fragments", 1);
     rhi::GraphicsPipelineDesc desc = camera.translucentPipeline("linked_lists");
     desc.fragment = nullptr;
@@ -92,10 +99,10 @@ class LinkedLists final : public TransparencyTechnique {
       rhi::PassScope pass = commands.beginPass(
           {.label = "list fragments",
            .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
-      query.count(commands, [&] { draws.draw(commands, pipeline, m_instances); });
+      query.count(commands, [&] { draws.draw(commands, pipeline, camera.translucent()); });
     }
     context.device.wait(context.device.endFrame());
-    return std::max<uint64_t>(1, query.take().front());
+    return query.take().front();
   }
 
   void createBuffers(const Context& context, uint64_t nodeBytes, uint64_t wanted) {
@@ -117,7 +124,6 @@ class LinkedLists final : public TransparencyTechnique {
   }
 
   rhi::Device* m_device = nullptr;
-  std::vector<uint32_t> m_instances;
   uint64_t m_capacity = 0;  ///< nodes
   uint64_t m_headBytes = 0;
   bool m_recorded = false;

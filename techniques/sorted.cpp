@@ -23,13 +23,20 @@ class Sorted final : public TransparencyTechnique {
     if (m_byTriangle) {
       desc.constants.push_back({3, 1});
       m_triangles = TriangleOrder(
-          context, view.effects().visibleTranslucent,
-          [&](const glm::dvec3& centroid) { return -viewDepth(view, centroid); },
+          context, [&view]() -> std::span<const uint32_t> { return view.effects().visibleTranslucent; },
+          [&view](const glm::dvec3& centroid) { return -viewDepth(view, centroid); },
           camera.inputs().bindings);
     } else {
-      m_instances = backToFront(view, view.effects().visibleTranslucent);
+      m_instances = backToFront(view, camera.translucent());
     }
     m_pipeline = context.pipelines.get(desc);
+  }
+
+  void cameraMoved(Frame& frame, CameraPass& camera) override {
+    if (m_byTriangle)
+      m_triangles.sort(frame.commands());
+    else
+      m_instances = backToFront(camera.view(), camera.translucent());
   }
 
   void record(Frame& frame, CameraPass& camera) override {

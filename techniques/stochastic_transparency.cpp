@@ -20,7 +20,6 @@ constexpr rhi::Format kTransmittanceFormat = rhi::Format::R32Float;
 class StochasticTransparency final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
-    m_instances = context.view.effects().visibleTranslucent;
     m_samples = context.knobs.integer("samples");
     m_basic = context.knobs.is("mode", "basic");
     createTargets(context);
@@ -32,8 +31,8 @@ class StochasticTransparency final : public TransparencyTechnique {
   void record(Frame& frame, CameraPass& camera) override {
     const rhi::ResourceUse opaque = rhi::use(camera.depth(), rhi::Access::Sampled);
     auto draw = [&](rhi::PipelineId pipeline) {
-      return [this, pipeline](rhi::CommandList& commands) {
-        m_draws.draw(commands, pipeline, m_instances);
+      return [this, pipeline, &camera](rhi::CommandList& commands) {
+        m_draws.draw(commands, pipeline, camera.translucent());
       };
     };
     rhi::DepthAttachment depth{.view = {.texture = m_depth}};
@@ -136,7 +135,6 @@ class StochasticTransparency final : public TransparencyTechnique {
         [&](rhi::CommandList& commands) { drawFullscreen(commands, m_composite, bindings); });
   }
 
-  std::vector<uint32_t> m_instances;
   uint32_t m_samples = 1;
   bool m_basic = false;
   rhi::Texture m_depth, m_colors, m_resolved, m_transmittance;

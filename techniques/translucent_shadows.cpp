@@ -32,6 +32,10 @@ class TranslucentShadows final : public ShadowTechnique {
     if (m_translucent) createTranslucent(context);
   }
 
+  void cameraMoved(Frame& frame) override {
+    for (LightOrder& order : m_order) order.sort(frame.commands());
+  }
+
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i)
       if (m_maps->views()[i].layer() >= 0) recordView(frame, i);

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "backends/rhi/memory_limit.h"
+
 namespace rhi {
 
 Device::~Device() {
@@ -19,16 +21,20 @@ Device::~Device() {
 
 Buffer Device::createBuffer(const BufferDesc& desc) {
   assert(!desc.label.empty() && desc.size > 0);
+  requireFit(m_info, m_ledger.totalBytes(), desc);
   BufferId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Buffer, id.value, desc.label, desc.size);
+  bookHostMemory(m_info, int64_t(desc.size));
   if (m_observer) m_observer->created(id, desc);
   return {this, id};
 }
 
 Texture Device::createTexture(const TextureDesc& desc) {
   assert(!desc.label.empty() && desc.format != Format::Undefined);
+  requireFit(m_info, m_ledger.totalBytes(), desc);
   TextureId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Texture, id.value, desc.label, textureBytes(desc));
+  bookHostMemory(m_info, int64_t(textureBytes(desc)));
   if (m_observer) m_observer->created(id, desc);
   return {this, id};
 }
@@ -66,12 +72,16 @@ QueryPool Device::createQueryPool(const QueryPoolDesc& desc) {
 
 void Device::destroy(BufferId id) {
   if (m_observer) m_observer->destroyed(id);
+  const uint64_t before = m_ledger.totalBytes();
   m_ledger.remove(Ledger::Kind::Buffer, id.value);
+  bookHostMemory(m_info, -int64_t(before - m_ledger.totalBytes()));
   doDestroy(id);
 }
 void Device::destroy(TextureId id) {
   if (m_observer) m_observer->destroyed(id);
+  const uint64_t before = m_ledger.totalBytes();
   m_ledger.remove(Ledger::Kind::Texture, id.value);
+  bookHostMemory(m_info, -int64_t(before - m_ledger.totalBytes()));
   doDestroy(id);
 }
 void Device::destroy(SamplerId id) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "backends/rhi/ledger.h"
+#include "backends/rhi/memory_limit.h"
 #include "backends/vulkan/vk_formats.h"
 
 namespace vulkan {
@@ -37,13 +39,17 @@ void requireSupport(const Context& context, const rhi::TextureDesc& desc,
   const std::string what =
       "'" + desc.label + "', " + std::string(rhi::formatInfo(desc.format).name);
   check(result, "vkGetPhysicalDeviceImageFormatProperties", what + " with these uses");
-  auto refuse = [&](const std::string& why) {
-    throw rhi::Error("createTexture", "VK_ERROR_FORMAT_NOT_SUPPORTED", what + ": " + why);
+  auto refuse = [&](const std::string& why, const char* code = "VK_ERROR_FORMAT_NOT_SUPPORTED") {
+    throw rhi::Error("createTexture", code, what + ": " + why);
   };
   if (info.extent.width > have.maxExtent.width || info.extent.height > have.maxExtent.height ||
       info.extent.depth > have.maxExtent.depth)
-    refuse("larger than this device allows");
-  if (info.arrayLayers > have.maxArrayLayers) refuse("too many layers");
+    refuse("larger than this device allows", rhi::kTooLarge);
+  if (info.arrayLayers > have.maxArrayLayers) refuse("too many layers", rhi::kTooLarge);
+  if (rhi::textureBytes(desc) > have.maxResourceSize)
+    refuse(std::to_string(rhi::textureBytes(desc)) + " bytes, expected at most " +
+               std::to_string(have.maxResourceSize) + " a texture",
+           rhi::kTooLarge);
   if (info.mipLevels > have.maxMipLevels) refuse("too many mips");
   if (!(have.sampleCounts & info.samples))
     refuse(std::to_string(desc.samples) + " samples are not supported");

@@ -108,6 +108,11 @@ void addScene(CLI::App& app, Options& o, std::string& size) {
          "--sun", [&o](const std::string& text) { o.selection.edits.push_back("sun:" + text); },
          "one directional light instead of the scene's")
       ->type_name("direction=X,Y,Z[,lux=E]");
+  app.add_option_function<std::string>(
+         "--motion", [&o](const std::string& text) { o.selection.edits.push_back("motion:" + text); },
+         "the camera arrives at its place from so far away in N frames [8], again and again; light "
+         "frusta are refitted and orders sorted within each frame")
+      ->type_name("move=X,Y,Z[,turn=DEG][,steps=N]");
 }
 
 /// Options that choose cells: the same for measuring and for `render`.

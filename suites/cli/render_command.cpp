@@ -73,6 +73,7 @@ int renderCommand(const Options& options) {
                      .size = {id.width, id.height},
                      .seed = id.seed,
                      .forced = {}});
+  renderer.standStill();
   renderer.frame();
   const report::Picture picture{id.width, id.height, renderer.readImage()};
   if (const uint64_t bad = countNonFinite(picture))

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "backends/rhi/memory_limit.h"
 #include "reports/stats/stats.h"
 #include "suites/harness/compare.h"
 #include "suites/harness/load_watch.h"
@@ -119,6 +120,9 @@ class Group {
     if (result.record.status != report::Status::Ok) return;
     try {
       work();
+    } catch (const rhi::Error& e) {
+      report::refuse(result.record, rhi::isTooLarge(e) ? rhi::whyTooLarge(e) : e.what());
+      if (rhi::isTooLarge(e)) result.record.status = report::Status::Skipped;
     } catch (const std::exception& e) {
       report::refuse(result.record, e.what());
     }
@@ -138,28 +142,40 @@ class Group {
     m_active.push_back(std::move(a));
   }
 
+  /// One frame, or one loop of a camera in motion, which then stands at the end of its path again.
+  /// Its wall time.
+  static double loopMs(Subject& subject, FrameMode mode) {
+    double wall = 0;
+    for (uint32_t i = 0; i < subject.steps(); ++i) wall += subject.frame(mode).wallMs;
+    return wall;
+  }
+
   /// Every pipeline and state is drawn twice before the windows begin.
   void warmUp(Active& a) {
     Subject& subject = *a.subject;
-    const double first = subject.frame(FrameMode::Plain).wallMs;
-    const int windowFrames = subject.hasPasses() ? WarmUp::kWindowFrames : 1;
+    a.samples.loop = subject.steps();
+    const double first = loopMs(subject, FrameMode::Plain);
+    const uint32_t windowFrames =
+        wholeLoops(subject.hasPasses() ? WarmUp::kWindowFrames : 1, subject.steps());
     if (subject.hasPasses()) {
-      subject.frame(FrameMode::Stamped);
-      subject.frame(FrameMode::Counted);
+      loopMs(subject, FrameMode::Stamped);
+      loopMs(subject, FrameMode::Counted);
     }
     WarmUp rule;
     for (bool done = false; !done && !interrupted();) {
       std::vector<double> times;
-      for (int i = 0; i < windowFrames; ++i)
+      for (uint32_t i = 0; i < windowFrames; ++i)
         times.push_back(rankingMs(subject.frame(FrameMode::Plain), a.software));
       done = rule.add(report::median(times));
     }
     if (!rule.steady())
       a.result->record.warnings.push_back("ten warm-up windows did not agree: the time drifts");
-    const double warm = subject.frame(FrameMode::Plain).wallMs;
+    const double warm = loopMs(subject, FrameMode::Plain);
     a.samples.compileMs = subject.createMs() + std::max(0.0, first - warm);
+    const double frame = std::max(warm / double(subject.steps()), 1e-3);
     a.framesPerBlock =
-        uint32_t(std::clamp(m_settings.blockSeconds * 1e3 / std::max(warm, 1e-3), 1.0, 32.0));
+        wholeLoops(uint32_t(std::clamp(m_settings.blockSeconds * 1e3 / frame, 1.0, 32.0)),
+                   subject.steps());
   }
 
   Stop measureBlocks() {
@@ -208,9 +224,11 @@ class Group {
     record.stable = record.picture == a.untimedPicture;
     record.nonfinite = countNonFinite(result.picture);
     if (a.subject->hasPasses()) {
-      for (uint32_t i = 0; i < m_settings.stampedFrames; ++i)
+      const uint32_t stamped = wholeLoops(m_settings.stampedFrames, a.subject->steps());
+      for (uint32_t i = 0; i < stamped; ++i)
         a.samples.stamped.push_back(a.subject->frame(FrameMode::Stamped));
-      a.samples.counted = a.subject->frame(FrameMode::Counted);
+      for (uint32_t i = 0; i < a.subject->steps(); ++i)
+        a.samples.counted = a.subject->frame(FrameMode::Counted);
     }
     takeMessages(a);
     summarise(a.samples, a.software, record);

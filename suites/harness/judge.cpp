@@ -103,6 +103,8 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
     record.why["blame"] = "no error";
     return;
   }
+  // Other seeds are judged where the truth's camera stands; whole loops have ended there.
+  renderer->standStill();
   std::vector<Answer> answers;
   for (uint32_t light = 0; light < renderer->lightCount(); ++light)
     answers.push_back({renderer->sceneLight(light), light, renderer->readVisibility(light)});

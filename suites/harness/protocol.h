@@ -27,6 +27,11 @@ class WarmUp {
   bool m_steady = false;
 };
 
+/// The least number of whole loops of `length` frames that has `frames` of them.
+constexpr uint32_t wholeLoops(uint32_t frames, uint32_t length) {
+  return (frames + length - 1) / length * length;
+}
+
 /// Order of the cells in a round: forth in even rounds, back in odd ones (A B B A ...), so that a
 /// drift of the machine hits all alike.
 std::vector<size_t> roundOrder(size_t cells, uint32_t round);

@@ -21,13 +21,20 @@ double sumOfPasses(const FrameResult& frame) {
   return sum;
 }
 
-/// The stamped frame whose total is the (lower) median: all figures of the breakdown come from one
-/// frame, so that they add up.
-const FrameResult& medianFrame(const std::vector<FrameResult>& frames) {
-  std::vector<const FrameResult*> sorted;
-  for (const FrameResult& f : frames) sorted.push_back(&f);
-  std::ranges::sort(sorted, {}, [](const FrameResult* f) { return f->stampedMs.value_or(0); });
-  return *sorted[(sorted.size() - 1) / 2];
+double totalOf(std::span<const FrameResult> loop) {
+  double total = 0;
+  for (const FrameResult& f : loop) total += f.stampedMs.value_or(0);
+  return total;
+}
+
+/// The loop of stamped frames whose total is the (lower) median: all figures of the breakdown come
+/// from one loop (of a standing camera: one frame), so that they add up.
+std::span<const FrameResult> medianLoop(const std::vector<FrameResult>& frames, size_t length) {
+  std::vector<std::span<const FrameResult>> loops;
+  for (size_t i = 0; i + length <= frames.size(); i += length)
+    loops.push_back(std::span(frames).subspan(i, length));
+  std::ranges::sort(loops, {}, totalOf);
+  return loops[(loops.size() - 1) / 2];
 }
 
 /// Why the stamps of passes cannot be believed, or "". A timer that misses work misses it in every
@@ -56,19 +63,28 @@ void summarisePasses(const Samples& samples, bool software, report::Record& reco
       record.why[key] = why;
     return;
   }
-  const FrameResult& frame = medianFrame(samples.stamped);
-  const double total = frame.stampedMs.value_or(0);
+  const std::span<const FrameResult> loop = medianLoop(samples.stamped, samples.loop);
+  const double share = 1.0 / double(loop.size());
+  const double total = totalOf(loop) * share;
   double shadow = 0, scene = 0;
-  for (size_t i = 0; i < frame.passes.size(); ++i) {
-    const PassResult& p = frame.passes[i];
-    const double ms = p.ms.value_or(0);
-    (p.group == PassGroup::Shadow ? shadow : scene) += ms;
-    auto pass = std::ranges::find(record.passes, p.label, &report::PassRecord::label);
+  const auto passOf = [&](const std::string& label) {
+    auto pass = std::ranges::find(record.passes, label, &report::PassRecord::label);
     if (pass == record.passes.end())
-      pass = record.passes.insert(pass, {.label = p.label, .count = 0, .fragments = {}});
+      pass = record.passes.insert(pass, {.label = label, .count = 0, .fragments = {}});
+    return pass;
+  };
+  for (const FrameResult& frame : loop)
+    for (const PassResult& p : frame.passes) {
+      const double ms = p.ms.value_or(0) * share;
+      (p.group == PassGroup::Shadow ? shadow : scene) += ms;
+      const auto pass = passOf(p.label);
+      pass->ms += ms;
+      pass->share += total > 0 ? ms / total : 0;
+    }
+  for (size_t i = 0; i < loop.back().passes.size(); ++i) {
+    const PassResult& p = loop.back().passes[i];
+    const auto pass = passOf(p.label);
     ++pass->count;
-    pass->ms += ms;
-    pass->share += total > 0 ? ms / total : 0;
     pass->draws += p.counters.draws;
     pass->triangles += p.counters.triangles;
     if (samples.counted && i < samples.counted->passes.size())
@@ -103,7 +119,7 @@ std::vector<double> blockMeans(const Samples& samples, bool software) {
 }
 
 void summarise(const Samples& samples, bool software, report::Record& record) {
-  const FrameResult& any = samples.blocks.front().frames.front();
+  const FrameResult& any = samples.blocks.front().frames.back();
   record.timeSource = software ? "software" : any.deviceMs ? "gpu-timestamp" : "wall";
   auto spread = [&](auto pick) { return report::distribution(collect(samples, pick)); };
   record.frame = spread([&](const FrameResult& f) { return frameMs(f, software); });

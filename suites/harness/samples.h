@@ -18,6 +18,9 @@ struct SampleBlock {
 };
 
 struct Samples {
+  /// Frames of a loop of the camera's path: blocks and stamped frames are whole loops. Times are
+  /// means over a loop where they are of one frame otherwise, counts those of the last frame.
+  uint32_t loop = 1;
   double compileMs = 0;  ///< pipeline creation plus what the first frame took beyond a warm one
   std::vector<SampleBlock> blocks;  ///< plain frames
   std::vector<FrameResult> stamped;

@@ -27,6 +27,7 @@ class RendererSubject final : public Subject {
         m_passesUntrusted(std::move(passesUntrusted)) {}
 
   FrameResult frame(FrameMode mode) override { return m_renderer.frame(mode); }
+  uint32_t steps() const override { return m_renderer.steps(); }
   report::Picture picture() override { return {m_id.width, m_id.height, m_renderer.readImage()}; }
   bool software() const override { return m_session.device->isSoftware(); }
   double createMs() const override { return m_session.pipelines->createMs() - m_createdBefore; }
@@ -117,6 +118,10 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
     record.driver = "the truth's tracer";
     if (const auto missing = notYetRepresented(context.scene); !missing.empty())
       return skip(record, "not yet represented: " + missing.front());
+    if (!context.scene.path.empty())
+      record.warnings.push_back(
+          "the camera of the tracer stands still, where the path ends: it traces the last frame "
+          "again and again");
     return std::make_unique<TracerSubject>(id, context.scene);
   }
   DeviceSession* session = context.devices.open(id.backend);

@@ -18,6 +18,9 @@ class Subject {
  public:
   virtual ~Subject() = default;
   virtual FrameResult frame(FrameMode mode) = 0;
+  /// Frames of a loop of the camera's path, the last of which the truth shows; 1: it stands. Only
+  /// whole loops are compared with each other.
+  virtual uint32_t steps() const { return 1; }
   /// The last frame's.
   virtual report::Picture picture() = 0;
   /// Compared by CPU time, not by GPU time.

@@ -139,25 +139,26 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
 
 }  // namespace
 
-Analysis::Analysis(const Scene& s, double aspect)
-    : scene(s), eye(s.camera().eye()), view(s.camera(), aspect) {
-  std::vector<MaterialTraits> traits;
+SceneTraits::SceneTraits(const Scene& scene) {
   for (const Material& material : scene.materials)
-    traits.push_back(materialTraits(scene, material));
-  std::vector<uint8_t> flat;
+    materials.push_back(materialTraits(scene, material));
   for (const Mesh& mesh : scene.meshes) {
-    const MaterialTraits& t = traits.at(mesh.material);
+    const MaterialTraits& t = materials.at(mesh.material);
     const bool matters = t.cameraTranslucent || t.lightClass == MaterialClass::Translucent;
     flat.push_back(matters && planeOf(mesh).has_value());
   }
+}
+
+Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect)
+    : scene(s), eye(camera.eye()), view(camera, aspect) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes.at(instance.mesh);
     AnalysedInstance& a = instances.emplace_back();
     a.box = instanceBox(scene, instance, eye);
-    a.traits = traits[mesh.material];
+    a.traits = traits.materials[mesh.material];
     a.visible = !mesh.indices.empty() && view.mayShow(a.box);
     a.lit = !scene.materials[mesh.material].unlit;
-    a.flat = flat[instance.mesh];
+    a.flat = traits.flat[instance.mesh];
   }
   for (const Medium& medium : scene.media) {
     media.push_back(transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, eye));
@@ -165,15 +166,14 @@ Analysis::Analysis(const Scene& s, double aspect)
   }
 }
 
-Effects analyse(const Scene& scene, double aspect) {
-  const Analysis a(scene, aspect);
+Effects analyseView(const Analysis& a) {
   Effects effects;
   for (uint32_t i = 0; i < a.instances.size(); ++i)
     if (a.instances[i].visible)
       (a.instances[i].seeThrough() ? effects.visibleTranslucent : effects.visibleOpaque)
           .push_back(i);
   bool mediumBetween = false;
-  for (uint32_t i = 0; i < scene.lights.size(); ++i)
+  for (uint32_t i = 0; i < a.scene.lights.size(); ++i)
     effects.lights.push_back(analyseLight(a, i, mediumBetween));
   Notes notes(effects);
   noteCasters(a, effects, notes);
@@ -181,6 +181,15 @@ Effects analyse(const Scene& scene, double aspect) {
   noteLights(a, effects, mediumBetween, notes);
   noteView(a, effects, notes);
   return effects;
+}
+
+Effects analyse(const Scene& scene, double aspect) {
+  const SceneTraits traits(scene);
+  if (scene.path.empty()) return analyseView(Analysis(scene, traits, scene.camera(), aspect));
+  std::vector<Effects> steps;
+  for (const Camera& camera : scene.path)
+    steps.push_back(analyseView(Analysis(scene, traits, camera, aspect)));
+  return uniteSteps(std::move(steps));
 }
 
 }  // namespace sb

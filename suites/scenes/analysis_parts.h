@@ -20,8 +20,15 @@ struct AnalysedInstance {
   bool passesLight() const { return traits.lightClass == MaterialClass::Translucent; }
 };
 
+/// What does not depend on the camera.
+struct SceneTraits {
+  explicit SceneTraits(const Scene& scene);
+  std::vector<MaterialTraits> materials;
+  std::vector<uint8_t> flat;  ///< by mesh, where it matters
+};
+
 struct Analysis {
-  Analysis(const Scene& s, double aspect);
+  Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect);
   const Scene& scene;
   glm::dvec3 eye;
   ViewVolume view;
@@ -29,6 +36,11 @@ struct Analysis {
   std::vector<Bounds> media;        ///< relative to the eye
   std::vector<bool> mediumSeen;  ///< in the view
 };
+
+/// What the scene calls for through one camera.
+Effects analyseView(const Analysis& analysis);
+/// What a path calls for, of the analyses of its steps.
+Effects uniteSteps(std::vector<Effects> steps);
 
 /// Fills `light`'s part of the effects. `mediumBetween` becomes true if a medium can dim the light
 /// on its way to what is visible.

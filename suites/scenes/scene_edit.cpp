@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "suites/scenes/camera_path.h"
 #include "suites/scenes/framing.h"
 #include "techniques/common/error.h"
 
@@ -24,8 +25,14 @@ const std::vector<Key>& keysOf(const std::string& target) {
                                            {"fov", 1, 1, 170, false}};
   static const std::vector<Key> kSun = {{"direction", 3, -1e9, 1e9, true},
                                         {"lux", 1, 0, 1e9, false}};
+  static const std::vector<Key> kMotion = {{"move", 3, -1e9, 1e9, true},
+                                           {"turn", 1, -360, 360, false},
+                                           {"steps", 1, 2, 64, false}};
   static const std::vector<Key> kMaterial = {{"alpha", 1, 0, 1, true}, {"t", 3, 0, 1, false}};
-  return target == "camera" ? kCamera : target == "sun" ? kSun : kMaterial;
+  return target == "camera"   ? kCamera
+         : target == "sun"    ? kSun
+         : target == "motion" ? kMotion
+                              : kMaterial;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {
@@ -60,7 +67,7 @@ SceneEdit parseEdit(const std::string& text) {
   const size_t equals = text.find('=');
   const size_t colon = equals == text.npos ? text.npos : text.rfind(':', equals);
   if (colon == text.npos || colon == 0)
-    throw InputError(where, "expected camera:..., sun:... or MATERIAL:key=value,...");
+    throw InputError(where, "expected camera:..., sun:..., motion:... or MATERIAL:key=value,...");
   SceneEdit edit{.target = text.substr(0, colon), .values = {}};
   const std::vector<Key>& keys = keysOf(edit.target);
   const Key* key = nullptr;
@@ -138,6 +145,18 @@ void editSun(Scene& scene, const SceneEdit& edit) {
   std::erase(scene.warnings, kLightAdded);
 }
 
+void editMotion(Scene& scene, const SceneEdit& edit) {
+  const glm::dvec3 move = vectorOf(*find(edit, "move"));
+  const auto* turn = find(edit, "turn");
+  const auto* steps = find(edit, "steps");
+  const double degrees = turn ? (*turn)[0] : 0, count = steps ? (*steps)[0] : 8;
+  if (move == glm::dvec3(0) && degrees == 0)
+    throw InputError(nameOf(edit), "the camera neither moves nor turns");
+  if (count != std::floor(count))
+    throw InputError(nameOf(edit), "steps holds '" + numberText(count) + "', expected a whole number");
+  scene.path = cameraPath(scene.camera(), move, degrees, uint32_t(count));
+}
+
 void editMaterials(Scene& scene, const SceneEdit& edit) {
   size_t matched = 0;
   std::vector<std::string> names;
@@ -194,9 +213,14 @@ void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits) {
       editCamera(scene, edit);
     else if (edit.target == "sun")
       editSun(scene, edit);
+    else if (edit.target == "motion")
+      continue;
     else
       editMaterials(scene, edit);
   }
+  // The way leads to where the camera stands in the end, wherever the edit stands in the list.
+  for (const SceneEdit& edit : edits)
+    if (edit.target == "motion") editMotion(scene, edit);
 }
 
 }  // namespace sb

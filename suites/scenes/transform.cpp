@@ -55,7 +55,8 @@ void translateScene(Scene& scene, glm::dvec3 offset) {
   const auto move = [&](glm::dmat4& m) { m[3] += glm::dvec4(offset, 0); };
   for (Instance& instance : scene.instances) move(instance.toWorld);
   for (Medium& medium : scene.media) move(medium.boxToWorld);
-  for (Camera& camera : scene.cameras) move(camera.toWorld);
+  for (auto* cameras : {&scene.cameras, &scene.path})
+    for (Camera& camera : *cameras) move(camera.toWorld);
   for (Light& light : scene.lights) light.position += offset;
 }
 
@@ -69,12 +70,13 @@ void scaleScene(Scene& scene, double factor) {
     scaleAll(medium.boxToWorld);
     medium.extinction /= float(factor);
   }
-  for (Camera& camera : scene.cameras) {
-    for (int row = 0; row < 3; ++row) camera.toWorld[3][row] *= factor;  // its frame stays rigid
-    camera.nearPlane *= factor;
-    camera.farPlane *= factor;
-    camera.halfHeight *= factor;
-  }
+  for (auto* cameras : {&scene.cameras, &scene.path})
+    for (Camera& camera : *cameras) {
+      for (int row = 0; row < 3; ++row) camera.toWorld[3][row] *= factor;  // its frame stays rigid
+      camera.nearPlane *= factor;
+      camera.farPlane *= factor;
+      camera.halfHeight *= factor;
+    }
   for (Light& light : scene.lights) {
     light.position *= factor;
     if (light.type == LightType::Directional) continue;  // its radius is an angle

@@ -39,27 +39,40 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
       {.label = "view triangle order", .size = 16, .use = rhi::BufferUse::Storage});
   m_drawList = drawListWith({});
 
-  const Scene& scene = context.view.scene();
-  for (uint32_t i : context.view.effects().visibleOpaque) {
+  fillBuckets();
+  for (Bucket& bucket : m_buckets) {
+    rhi::GraphicsPipelineDesc desc =
+        surfacePipeline(bucket.masked ? "masked" : "opaque", "forward.frag", bucket.masked);
+    desc.raster.cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
+    bucket.pipeline = m_opaque[{bucket.masked, bucket.doubleSided}] = context.pipelines.get(desc);
+  }
+  if (transparency && context.plan.runs(Effect::CameraTransparency)) {
+    m_transparency = transparency->make();
+    m_transparency->prepare(context, *this);
+  }
+}
+
+void CameraPass::fillBuckets() {
+  m_buckets.clear();
+  const Scene& scene = m_context.view.scene();
+  for (uint32_t i : m_context.view.effects().visibleOpaque) {
     const Material& material = scene.materials[scene.meshes[scene.instances[i].mesh].material];
     const bool masked = material.alphaMode == AlphaMode::Mask;
     auto bucket = std::ranges::find_if(m_buckets, [&](const Bucket& b) {
       return b.masked == masked && b.doubleSided == material.doubleSided;
     });
     if (bucket == m_buckets.end())
-      bucket = m_buckets.insert(bucket, {.masked = masked, .doubleSided = material.doubleSided});
+      bucket = m_buckets.insert(bucket, {.masked = masked,
+                                         .doubleSided = material.doubleSided,
+                                         .instances = {},
+                                         .pipeline = m_opaque[{masked, material.doubleSided}]});
     bucket->instances.push_back(i);
   }
-  for (Bucket& bucket : m_buckets) {
-    rhi::GraphicsPipelineDesc desc =
-        surfacePipeline(bucket.masked ? "masked" : "opaque", "forward.frag", bucket.masked);
-    desc.raster.cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
-    bucket.pipeline = context.pipelines.get(desc);
-  }
-  if (transparency && context.plan.runs(Effect::CameraTransparency)) {
-    m_transparency = transparency->make();
-    m_transparency->prepare(context, *this);
-  }
+}
+
+void CameraPass::cameraMoved(Frame& frame) {
+  fillBuckets();
+  if (m_transparency) m_transparency->cameraMoved(frame, *this);
 }
 
 rhi::GraphicsPipelineDesc CameraPass::surfacePipeline(const std::string& label,
@@ -140,6 +153,8 @@ void CameraPass::recordOpaque(Frame& frame) {
 }
 
 void CameraPass::recordTranslucent(Frame& frame) {
+  // A step that shows none, though others do.
+  if (view().steps() > 1 && translucent().empty()) return;
   if (m_transparency) m_transparency->record(frame, *this);
 }
 

@@ -17,6 +17,8 @@ class CameraPass {
   CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
              const TransparencyEntry* transparency);
 
+  /// Within a frame, after the scene view has moved.
+  void cameraMoved(Frame& frame);
   void recordOpaque(Frame& frame);
   void recordTranslucent(Frame& frame);
   /// Some of them, after all behind these.
@@ -52,6 +54,9 @@ class CameraPass {
   void compositePass(Frame& frame, const std::string& label,
                      std::span<const rhi::ResourceUse> reads,
                      const std::function<void(rhi::CommandList&)>& body);
+  const SceneView& view() const { return m_context.view; }
+  /// Instances that the camera sees through now, in scene order.
+  std::span<const uint32_t> translucent() const { return view().effects().visibleTranslucent; }
   DrawList& drawList() { return m_drawList; }
   /// A list of its own, with bindings beside those of visibility.
   DrawList drawListWith(std::span<const rhi::Binding> extra) const;
@@ -68,12 +73,14 @@ class CameraPass {
     std::vector<uint32_t> instances;
     rhi::PipelineId pipeline;
   };
+  void fillBuckets();
 
   const Context m_context;
   std::string m_folder;
   VisibilityInputs m_inputs;
   rhi::Texture m_color, m_depth;
   std::vector<Bucket> m_buckets;
+  std::map<std::pair<bool, bool>, rhi::PipelineId> m_opaque;  ///< by masked and double-sided
   rhi::Buffer m_noOrder;
   DrawList m_drawList;
   std::unique_ptr<TransparencyTechnique> m_transparency;

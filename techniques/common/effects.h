@@ -70,13 +70,19 @@ struct LightEffects {
   }
 };
 
-/// The analysis of scene + camera + lights.
-struct Effects {
-  EffectSet present;
-  std::map<Effect, std::string> reason;  ///< of each effect, present or not: why, for people
+/// What one camera shows and what lights may do to it.
+struct ViewEffects {
   std::vector<LightEffects> lights;      ///< one per Scene::lights entry, in order
   std::vector<uint32_t> visibleOpaque;       ///< instances in the frustum, seen as opaque or masked
   std::vector<uint32_t> visibleTranslucent;  ///< instances the camera sees through
+};
+
+/// The analysis of scene + camera + lights. Of a camera in motion: what any step of its path shows
+/// or calls for.
+struct Effects : ViewEffects {
+  EffectSet present;
+  std::map<Effect, std::string> reason;  ///< of each effect, present or not: why, for people
+  std::vector<ViewEffects> steps;        ///< what each step of Scene::path shows; empty: no path
 };
 
 }  // namespace sb

@@ -56,6 +56,15 @@ void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
                       .fragments = {}});
 }
 
+void Frame::between(const std::string& label, PassGroup group,
+                    const std::function<void(rhi::CommandList&)>& body) {
+  const uint32_t index = uint32_t(m_passes.size());
+  body(m_commands);
+  if (m_mode == FrameMode::Stamped && index < m_queries.capacity())
+    m_commands.timestamp(m_queries.stamps(), index + 1);
+  m_passes.push_back({.label = label, .group = group, .counters = {}, .ms = {}, .fragments = {}});
+}
+
 FrameResult FrameRunner::run(FrameMode mode, const std::function<void(Frame&)>& record) {
   FrameResult result = runOnce(mode, record);
   if (mode == FrameMode::Plain || result.passes.size() <= m_queries.capacity()) return result;
@@ -96,7 +105,7 @@ FrameResult FrameRunner::runOnce(FrameMode mode, const std::function<void(Frame&
   }
   if (mode == FrameMode::Counted && m_queries.hasStatistics())
     for (uint32_t i = 0; i < passes; ++i)
-      if (result.passes[i].counters.dispatches == 0)
+      if (result.passes[i].counters.passes > 0 && result.passes[i].counters.dispatches == 0)
         result.passes[i].fragments = m_device.readQueries(m_queries.statistics(), i, 1)[5];
   return result;
 }

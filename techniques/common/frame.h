@@ -63,6 +63,10 @@ class Frame {
   /// time of the next pass.
   void pass(const rhi::PassDesc& desc, PassGroup group,
             const std::function<void(rhi::CommandList&)>& body);
+  /// Work between passes that is measured under a name of its own: CPU work of recording, writes.
+  /// Neither counted as a pass nor for fragments.
+  void between(const std::string& label, PassGroup group,
+               const std::function<void(rhi::CommandList&)>& body);
   rhi::CommandList& commands() { return m_commands; }
   FrameMode mode() const { return m_mode; }
 

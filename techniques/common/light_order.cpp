@@ -36,36 +36,53 @@ double boxDepth(const LightView& view, const Box& box, bool nearest) {
 
 }  // namespace
 
-std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
-                                   const std::string& how) {
-  const Scene& scene = context.view.scene();
-  std::vector<LightOrder> orders(maps.views().size());
-  for (size_t v = 0; v < orders.size(); ++v) {
-    const LightView& view = maps.views()[v];
-    LightOrder& order = orders[v];
-    order.instances = view.translucent;
-    if (how == "triangle") {
-      order.byTriangle = true;
-      order.triangles = TriangleOrder(context, view.translucent,
-                                      [&](const glm::dvec3& p) { return lightDepth(view, p); },
-                                      {maps.passBlock(v)});
-    } else if (how != "none") {
-      const auto key = [&](uint32_t i) {
-        return std::tuple(
-            boxDepth(view, instanceBounds(scene, i, context.view.camera().eye), how == "nearest"),
-            scene.instances[i].key);
-      };
-      std::ranges::sort(order.instances, {}, key);
-    }
-  }
-  return orders;
+LightOrder::LightOrder(const Context& context, const ShadowMaps& maps, size_t view,
+                       const std::string& how)
+    : m_view(&context.view), m_maps(&maps), m_index(view), m_how(how) {
+  if (m_how == "triangle")
+    // By value: an order may move in memory.
+    m_triangles.emplace(
+        context,
+        [&maps, view]() -> std::span<const uint32_t> { return maps.views()[view].translucent; },
+        [&maps, view](const glm::dvec3& p) { return lightDepth(maps.views()[view], p); },
+        std::vector{maps.passBlock(view)});
+  else
+    sortInstances();
+}
+
+void LightOrder::sort(rhi::CommandList& commands) {
+  if (m_triangles)
+    m_triangles->sort(commands);
+  else
+    sortInstances();
+}
+
+void LightOrder::sortInstances() {
+  m_instances = lightView().translucent;
+  if (m_how == "none") return;
+  const Scene& scene = m_view->scene();
+  std::vector<std::tuple<double, uint32_t, uint32_t>> order;
+  for (const uint32_t i : m_instances)
+    order.emplace_back(
+        boxDepth(lightView(), instanceBounds(scene, i, m_view->camera().eye), m_how == "nearest"),
+        scene.instances[i].key, i);
+  std::ranges::sort(order);
+  for (size_t i = 0; i < order.size(); ++i) m_instances[i] = std::get<2>(order[i]);
 }
 
 void LightOrder::draw(rhi::CommandList& commands, DrawList& whole, rhi::PipelineId pipeline) {
-  if (byTriangle)
-    triangles.draw(commands, pipeline);
+  if (m_triangles)
+    m_triangles->draw(commands, pipeline);
   else
-    whole.draw(commands, pipeline, instances);
+    whole.draw(commands, pipeline, m_instances);
+}
+
+std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
+                                   const std::string& how) {
+  std::vector<LightOrder> orders;
+  orders.reserve(maps.views().size());
+  for (size_t v = 0; v < maps.views().size(); ++v) orders.emplace_back(context, maps, v, how);
+  return orders;
 }
 
 }  // namespace sb

@@ -1,6 +1,8 @@
 // Translucent casters in the order in which a light meets them, for blending that does not commute.
 #pragma once
 
+#include <optional>
+
 #include "techniques/common/shadow_maps.h"
 #include "techniques/common/triangle_order.h"
 
@@ -12,14 +14,29 @@ KnobInfo lightOrderKnob();
 /// The casters of one view in order: whole instances or triangles.
 class LightOrder {
  public:
-  std::vector<uint32_t> instances;
-  TriangleOrder triangles;
-  bool byTriangle = false;
+  /// `view`: index into ShadowMaps::views. `how`: a value of the knob. Context and maps must
+  /// outlive the order.
+  LightOrder(const Context& context, const ShadowMaps& maps, size_t view, const std::string& how);
 
+  /// Whole instances; triangles have no such order.
+  const std::vector<uint32_t>& instances() const { return m_instances; }
+  /// Anew, after the view has moved.
+  void sort(rhi::CommandList& commands);
   void draw(rhi::CommandList& commands, DrawList& whole, rhi::PipelineId pipeline);
+
+ private:
+  const LightView& lightView() const { return m_maps->views()[m_index]; }
+  void sortInstances();
+
+  const SceneView* m_view;
+  const ShadowMaps* m_maps;
+  size_t m_index;
+  std::string m_how;
+  std::vector<uint32_t> m_instances;
+  std::optional<TriangleOrder> m_triangles;
 };
 
-/// One order a view. `how`: a value of the knob.
+/// One order a view.
 std::vector<LightOrder> lightOrder(const Context& context, const ShadowMaps& maps,
                                    const std::string& how);
 

@@ -14,23 +14,29 @@ rhi::TextureView layerOf(rhi::TextureId texture, uint32_t layer) {
 
 }  // namespace
 
-LightPeel::LightPeel(const Context& context, ShadowMaps& maps, std::vector<PeelGroup> groups,
-                     uint32_t cap, rhi::Format colourFormat,
-                     const std::function<void(rhi::CommandList&, size_t)>& drawOpaque)
-    : m_maps(maps), m_groups(std::move(groups)), m_format(colourFormat) {
-  uint32_t layers = 0;
-  bool tails = false;
-  for (PeelGroup& group : m_groups) {
-    const uint32_t there = countLayers(context, group, drawOpaque);
-    group.tail = there > cap;
-    group.first = layers;
-    group.count = group.tail ? cap + 1 : there;
-    tails |= group.tail;
-    layers += group.count;
-  }
+LightPeel::LightPeel(const Context& context, ShadowMaps& maps,
+                     std::vector<std::vector<PeelGroup>> steps, uint32_t cap,
+                     rhi::Format colourFormat)
+    : m_maps(maps), m_format(colourFormat) {
   // One layer more than none: what is bound must exist.
-  m_depth = maps.createLike(context, "peeled depth", rhi::Format::D32Float, std::max(1u, layers));
-  m_colour = maps.createLike(context, "peeled colour", m_format, std::max(1u, layers));
+  uint32_t most = 1;
+  bool tails = false;
+  for (std::vector<PeelGroup>& groups : steps) {
+    uint32_t layers = 0;
+    for (PeelGroup& group : groups) {
+      group.tail = group.count > cap;
+      group.first = layers;
+      if (group.tail) group.count = cap + 1;
+      tails |= group.tail;
+      layers += group.count;
+    }
+    most = std::max(most, layers);
+    m_steps.push_back({std::move(groups), {}});
+  }
+  m_depth = maps.createLike(context, "peeled depth", rhi::Format::D32Float, most);
+  m_colour = maps.createLike(context, "peeled colour", m_format, most);
+  if (std::ranges::any_of(m_steps, [](const Step& step) { return step.groups.empty(); }))
+    for (const rhi::Texture* map : {&m_depth, &m_colour}) ShadowMaps::clear(context, *map);
   rhi::GraphicsPipelineDesc desc =
       maps.casterPipeline(context, "peeled layer", "light_peel/layer.frag", false);
   desc.depthFormat = rhi::Format::D32Float;
@@ -46,8 +52,14 @@ LightPeel::LightPeel(const Context& context, ShadowMaps& maps, std::vector<PeelG
     desc.depthFormat = rhi::Format::Undefined;
     m_tail = context.pipelines.get(desc);
   }
-  for (const PeelGroup& group : m_groups)
-    for (uint32_t i = 0; i < group.count; ++i) m_draws.push_back(layerDraws(context, group, i));
+  for (Step& step : m_steps)
+    for (const PeelGroup& group : step.groups)
+      for (uint32_t i = 0; i < group.count; ++i)
+        step.draws.push_back(layerDraws(context, group, i));
+}
+
+bool LightPeel::empty() const {
+  return std::ranges::all_of(m_steps, [](const Step& step) { return step.groups.empty(); });
 }
 
 DrawList LightPeel::layerDraws(const Context& context, const PeelGroup& group,
@@ -65,12 +77,12 @@ DrawList LightPeel::layerDraws(const Context& context, const PeelGroup& group,
       true);
 }
 
-uint32_t LightPeel::countLayers(const Context& context, const PeelGroup& group,
-                                const std::function<void(rhi::CommandList&, size_t)>& drawOpaque) {
+uint32_t LightPeel::countLayers(const Context& context, ShadowMaps& maps, const PeelGroup& group,
+                                const DrawOpaque& drawOpaque) {
   if (group.instances.empty()) return 0;
-  rhi::Texture counts = m_maps.createLike(context, "layers counted", rhi::Format::RGBA16Float, 1);
+  rhi::Texture counts = maps.createLike(context, "layers counted", rhi::Format::RGBA16Float, 1);
   rhi::GraphicsPipelineDesc desc =
-      m_maps.casterPipeline(context, "layers counted", "light_peel/count.frag", false);
+      maps.casterPipeline(context, "layers counted", "light_peel/count.frag", false);
   desc.depth = {};
   desc.depthFormat = rhi::Format::Undefined;
   desc.targets = {
@@ -79,15 +91,15 @@ uint32_t LightPeel::countLayers(const Context& context, const PeelGroup& group,
            .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One}}};
   const rhi::PipelineId pipeline = context.pipelines.get(desc);
   DrawList draws(context.view,
-                 {m_maps.passBlock(group.view),
-                  rhi::textureAt(TEXTURE_TECHNIQUE, m_maps.depth(), m_maps.pointSampler())},
+                 {maps.passBlock(group.view),
+                  rhi::textureAt(TEXTURE_TECHNIQUE, maps.depth(), maps.pointSampler())},
                  true);
   const rhi::ColorAttachment target{.view = {.texture = counts}};
-  const rhi::ResourceUse reads[] = {rhi::use(m_maps.depth().id(), rhi::Access::Sampled)};
+  const rhi::ResourceUse reads[] = {rhi::use(maps.depth().id(), rhi::Access::Sampled)};
   rhi::CommandList& commands = context.device.beginFrame();
   {
     rhi::PassScope pass = commands.beginPass(
-        {.label = "shadow map", .depth = m_maps.depthAttachment(m_maps.views()[group.view])});
+        {.label = "shadow map", .depth = maps.depthAttachment(maps.views()[group.view])});
     drawOpaque(commands, group.view);
   }
   {
@@ -102,7 +114,7 @@ uint32_t LightPeel::countLayers(const Context& context, const PeelGroup& group,
 }
 
 void LightPeel::record(Frame& frame) {
-  for (const PeelGroup& group : m_groups) {
+  for (const PeelGroup& group : groups()) {
     for (uint32_t i = 0; i < group.count; ++i) recordLayer(frame, group, i);
     if (group.tail) recordTail(frame, group);
   }
@@ -121,7 +133,7 @@ void LightPeel::recordLayer(Frame& frame, const PeelGroup& group, uint32_t layer
               .depth = rhi::DepthAttachment{.view = layerOf(m_depth, at), .clearDepth = 0},
               .reads = reads},
              PassGroup::Shadow, [&](rhi::CommandList& commands) {
-               m_draws[at].draw(commands, layer > 0 ? m_next : m_first, group.instances);
+               m_steps[m_step].draws[at].draw(commands, layer > 0 ? m_next : m_first, group.instances);
              });
 }
 
@@ -133,7 +145,7 @@ void LightPeel::recordTail(Frame& frame, const PeelGroup& group) {
                                     rhi::use(layerOf(m_depth, at - 1), rhi::Access::Sampled)};
   frame.pass(
       {.label = "peeled tail", .colors = std::span(&colour, 1), .reads = reads}, PassGroup::Shadow,
-      [&](rhi::CommandList& commands) { m_draws[at].draw(commands, m_tail, group.instances); });
+      [&](rhi::CommandList& commands) { m_steps[m_step].draws[at].draw(commands, m_tail, group.instances); });
 }
 
 }  // namespace sb

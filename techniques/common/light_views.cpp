@@ -98,18 +98,24 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   dvec3 center = (box.min + box.max) * 0.5;
   if (in.settings.fit == LightFit::Stable) {
-    // The sphere around the frustum does not change while the camera turns or moves.
-    const auto corners = frustumCorners(in.camera, in.aspect, in.camera.farPlane);
+    // The sphere around the frustum does not change while the camera turns or moves, to the last
+    // bit: it is that of the lens alone, and the scene's is measured from within the scene.
+    Camera lens = in.camera;
+    lens.toWorld = dmat4(1);
+    const auto corners = frustumCorners(lens, in.aspect, in.camera.farPlane);
     dvec3 middle(0);
     for (const dvec3& c : corners) middle += c / 8.0;
     double radius = 0;
     for (const dvec3& c : corners) radius = std::max(radius, glm::length(c - middle));
+    const dvec3 within(in.scene.instances.front().toWorld[3]);
     Box scene;
     for (uint32_t i = 0; i < in.scene.instances.size(); ++i)
-      scene.add(instanceBounds(in.scene, i, in.camera.eye()));
+      scene.add(instanceBounds(in.scene, i, within));
     const double sceneRadius = glm::length(scene.max - scene.min) / 2;
     extent = 2 * std::min(radius, sceneRadius);
-    center = axes * (radius <= sceneRadius ? middle : (scene.min + scene.max) * 0.5);
+    center = axes * (radius <= sceneRadius
+                         ? dmat3(in.camera.toWorld) * middle
+                         : (scene.min + scene.max) * 0.5 + (within - in.camera.eye()));
   }
   if (!(extent > 0)) extent = glm::length(center) > 0 ? glm::length(center) * 1e-6 : 1.0;
   // One texel more than the guard: snapping moves the window by up to one.
@@ -214,8 +220,9 @@ void fitLocal(const FitInput& in, const LightEffects& effects, std::vector<Light
 
 }  // namespace
 
-std::vector<LightView> fitLights(const Scene& scene, const Effects& effects, const Camera& camera,
-                                 double aspect, const LightFitSettings& settings) {
+std::vector<LightView> fitLights(const Scene& scene, const ViewEffects& effects,
+                                 const Camera& camera, double aspect,
+                                 const LightFitSettings& settings) {
   FitInput in{scene, camera, aspect, settings, effects.visibleOpaque};
   in.receivers.insert(in.receivers.end(), effects.visibleTranslucent.begin(),
                       effects.visibleTranslucent.end());

@@ -44,7 +44,9 @@ struct LightView {
 
 /// Views of every light that casts into the picture. Lights that cast nothing have none; views that
 /// no caster touches have layer -1: no pass, no memory, everything lit.
-std::vector<LightView> fitLights(const Scene& scene, const Effects& effects, const Camera& camera,
-                                 double aspect, const LightFitSettings& settings);
+/// `effects`: what `camera` shows.
+std::vector<LightView> fitLights(const Scene& scene, const ViewEffects& effects,
+                                 const Camera& camera, double aspect,
+                                 const LightFitSettings& settings);
 
 }  // namespace sb

@@ -3,12 +3,30 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "backends/rhi/device.h"
 
 namespace sb {
+
+/// What PassQueries counted at each step of a camera's path, the last time that it stood there: of
+/// a standing camera a frame earlier, of one in motion a loop earlier.
+class PassesAtSteps {
+ public:
+  /// `samples`: of the frame that the last call was for. Returns those of `step`, or nothing.
+  std::vector<uint64_t> next(std::vector<uint64_t> samples, uint32_t step) {
+    if (m_last) m_samples[*m_last] = std::move(samples);
+    m_last = step;
+    return m_samples[step];
+  }
+
+ private:
+  std::optional<uint32_t> m_last;
+  std::map<uint32_t, std::vector<uint64_t>> m_samples;
+};
 
 class PassQueries {
  public:

@@ -55,6 +55,9 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
   if (casts) {
     m_technique = m_desc.technique->make();
     m_technique->prepare(context());
+    // While the view shows the whole path, every layer is drawn; steps that lack some read it.
+    if (!m_view->firstStepHasAllViews())
+      m_runner.run(FrameMode::Plain, [&](Frame& frame) { m_technique->record(frame); });
     inputs = m_technique->inputs();
     folder = inputs.folder.empty() ? info.folder : inputs.folder;
   }
@@ -67,8 +70,22 @@ Context Renderer::context() {
   return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
 }
 
+void Renderer::moveCamera(Frame& frame, uint32_t step) {
+  frame.between("camera moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
+    m_view->moveTo(commands, step);
+    if (m_technique) m_technique->cameraMoved(frame);
+    m_camera->cameraMoved(frame);
+  });
+}
+
 FrameResult Renderer::frame(FrameMode mode) {
+  const uint32_t next = m_at ? (*m_at + 1) % steps() : 0;
+  const uint32_t step = m_standing.value_or(next);
+  // Decided here: a frame that is recorded twice (FrameRunner) moves twice.
+  const bool moves = steps() > 1 && m_at != step;
+  m_at = step;
   return m_runner.run(mode, [&](Frame& frame) {
+    if (moves) moveCamera(frame, step);
     if (m_technique) m_technique->record(frame);
     m_camera->recordOpaque(frame);
     const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "techniques/common/camera_pass.h"
 #include "techniques/common/visibility_buffer.h"
@@ -39,7 +40,16 @@ class Renderer {
   Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
            RendererDesc desc);
 
+  /// A camera in motion advances by one step of its path, from the first to the last and again;
+  /// moving, and all that follows from it, is part of the frame.
   FrameResult frame(FrameMode mode = FrameMode::Plain);
+  /// Frames of a loop; 1: the camera stands.
+  uint32_t steps() const { return m_view->steps(); }
+  /// From the next frame on the camera stands at a step of its path: where it is anyway costs
+  /// nothing.
+  void standAt(uint32_t step) { m_standing = step; }
+  /// At the last step, which is where the truth's camera stands.
+  void standStill() { standAt(steps() - 1); }
 
   /// The last frame's picture, linear RGBA, row 0 = bottom row (clip y = -1).
   std::vector<float> readImage();
@@ -64,6 +74,7 @@ class Renderer {
 
  private:
   Context context();
+  void moveCamera(Frame& frame, uint32_t step);
 
   DeviceContext m_device;
   RendererDesc m_desc;
@@ -74,6 +85,8 @@ class Renderer {
   std::unique_ptr<VisibilityBuffer> m_visibility;
   FrameRunner m_runner;
   std::map<std::string, uint64_t> m_bytes;
+  std::optional<uint32_t> m_at;        ///< step of the last frame
+  std::optional<uint32_t> m_standing;  ///< step that frames stay at
 };
 
 /// RGBA16F texels as floats (exact).

@@ -152,6 +152,9 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Medium> media;
   std::vector<Camera> cameras;  ///< the first one renders; never empty after loading
+  /// Where a camera in motion stands in each frame of a loop; the last one is camera(), so that
+  /// whatever knows no motion sees the last frame. Empty: the camera stands still.
+  std::vector<Camera> path;
   glm::vec3 ambient = glm::vec3(0.1f);    ///< radiance that reaches every point from everywhere
   glm::vec3 background = glm::vec3(0);    ///< linear radiance where no surface is
   std::vector<std::string> warnings;      ///< what loading found and mended, for people

@@ -46,7 +46,8 @@ KnobInfo mapSamplesKnob() {
           .sweep = {"1", "4"}};
 }
 
-ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape) : m_shape(shape) {
+ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
+    : m_view(context.view), m_shape(shape) {
   const Knobs& knobs = context.knobs;
   m_size = knobs.integer("size");
   m_kernel = knobs.integer("kernel");
@@ -56,16 +57,13 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape) : m
   if (m_depthFormat == rhi::Format::D24Unorm &&
       !context.device.formatCaps(m_depthFormat).depthTarget)
     m_depthFormat = rhi::Format::D24UnormS8;
-  const SceneView& view = context.view;
-  m_views = fitLights(
-      view.scene(), view.effects(), view.scene().camera(), view.aspect(),
-      {.mapSize = m_size,
-       .guardTexels = std::min(knobs.integer("kernel") / 2 + 2, m_size / 4),
-       .fit = knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
-       .depthStep = std::max(step, depthStep(m_depthFormat)),
-       .depthClamp = context.device.supports(rhi::Feature::DepthClamp)});
-  context.view.setShadowViews(context.device, m_views);
-  m_layers = uint32_t(std::ranges::count_if(m_views, [](auto& v) { return v.layer() >= 0; }));
+  context.view.fitLightViews(
+      context.device, {.mapSize = m_size,
+                       .guardTexels = std::min(knobs.integer("kernel") / 2 + 2, m_size / 4),
+                       .fit = knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
+                       .depthStep = std::max(step, depthStep(m_depthFormat)),
+                       .depthClamp = context.device.supports(rhi::Feature::DepthClamp)});
+  m_layers = uint32_t(std::ranges::count_if(views(), [](auto& v) { return v.layer() >= 0; }));
 
   if (std::ranges::count(context.device.formatCaps(m_depthFormat).sampleCounts, shape.samples) == 0)
     throw rhi::Error("shadow map depth", "",
@@ -86,8 +84,8 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape) : m
                                                  .addressU = rhi::AddressMode::ClampToEdge,
                                                  .addressV = rhi::AddressMode::ClampToEdge});
   m_passStride = std::max<uint64_t>(16, context.device.info().limits.uniformAlignment);
-  std::vector<std::byte> blocks(std::max<size_t>(1, m_views.size()) * m_passStride);
-  for (uint32_t i = 0; i < m_views.size(); ++i) {
+  std::vector<std::byte> blocks(std::max<size_t>(1, views().size()) * m_passStride);
+  for (uint32_t i = 0; i < views().size(); ++i) {
     const uint32_t ids[4] = {i, 0, 0, 0};
     std::memcpy(blocks.data() + i * m_passStride, ids, sizeof ids);
   }
@@ -96,9 +94,9 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape) : m
        .size = blocks.size(),
        .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
   context.device.upload(m_passBlocks, 0, blocks);
-  for (size_t i = 0; i < m_views.size(); ++i) {
-    m_plain.emplace_back(view, std::vector{passBlock(i)}, false);
-    m_surfaces.emplace_back(view, std::vector{passBlock(i)}, true);
+  for (size_t i = 0; i < views().size(); ++i) {
+    m_plain.emplace_back(m_view, std::vector{passBlock(i)}, false);
+    m_surfaces.emplace_back(m_view, std::vector{passBlock(i)}, true);
   }
 }
 
@@ -122,6 +120,21 @@ rhi::Texture ShadowMaps::createLike(const Context& context, const std::string& l
               U::CopyTarget});
 }
 
+void ShadowMaps::clear(const Context& context, const rhi::Texture& map) {
+  const rhi::TextureDesc& desc = context.device.textureDesc(map);
+  const bool depth = rhi::formatInfo(desc.format).depth;
+  rhi::CommandList& commands = context.device.beginFrame();
+  for (uint32_t layer = 0; layer < desc.layers; ++layer) {
+    const rhi::TextureView view{
+        .texture = map, .baseMip = 0, .mipCount = 1, .baseLayer = layer, .layerCount = 1};
+    const rhi::ColorAttachment color{.view = view, .clear = {1, 1, 1, 1}};
+    rhi::PassDesc pass{.label = "clear", .colors = std::span(&color, depth ? 0 : 1)};
+    if (depth) pass.depth = rhi::DepthAttachment{.view = view, .clearDepth = 0};
+    const rhi::PassScope scope = commands.beginPass(pass);
+  }
+  context.device.wait(context.device.endFrame());
+}
+
 rhi::Binding ShadowMaps::passBlock(size_t view) const {
   return rhi::uniformAt(UNIFORM_PASS, m_passBlocks, view * m_passStride, 16);
 }
@@ -136,7 +149,7 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
 }
 
 LookupReach ShadowMaps::reach(uint32_t sceneLight) const {
-  for (const LightView& view : m_views) {
+  for (const LightView& view : views()) {
     if (view.light != sceneLight) continue;
     // A texel's width anywhere, or at distance 1 under a local light.
     const double half = 0.5 * double(m_kernel + 1) * double(view.data.texel.z);

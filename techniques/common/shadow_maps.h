@@ -23,12 +23,13 @@ struct DepthShape {
 
 class ShadowMaps {
  public:
-  /// Fits the lights and creates the depth map, one layer a view unless `shape` says otherwise.
-  /// `depthStep`: coarsest step of the formats that lookups read. Tells the scene view. Throws
-  /// rhi::Error when the device has no such depth map.
+  /// Has the scene view fit the lights, now and whenever the camera moves, and creates the depth
+  /// map, one layer a view unless `shape` says otherwise. `depthStep`: coarsest step of the formats
+  /// that lookups read. Throws rhi::Error when the device has no such depth map.
   ShadowMaps(const Context& context, float depthStep, DepthShape shape = {});
 
-  const std::vector<LightView>& views() const { return m_views; }
+  /// Refitted whenever the camera moves; each view keeps its place and its layer.
+  const std::vector<LightView>& views() const { return m_view.lightViews(); }
   uint32_t size() const { return m_size; }
   uint32_t layers() const { return m_layers; }
   rhi::Format depthFormat() const { return m_depthFormat; }
@@ -37,6 +38,8 @@ class ShadowMaps {
   /// rhi::Error when the device cannot render to, or blend, the format.
   rhi::Texture createLike(const Context& context, const std::string& label, rhi::Format format,
                           uint32_t layers = 0) const;
+  /// Clears a map now: one that some step of a camera's path reads before any has written it.
+  static void clear(const Context& context, const rhi::Texture& map);
   rhi::SamplerId pointSampler() const { return m_pointSampler; }
 
   /// Half a lookup's width for a light: texels of the filter, and where in its texel a receiver lies.
@@ -60,12 +63,12 @@ class ShadowMaps {
   DrawList& surfaces(size_t view) { return m_surfaces[view]; }
 
  private:
+  const SceneView& m_view;
   uint32_t m_size = 0;
   uint32_t m_kernel = 1;
   uint32_t m_layers = 0;
   DepthShape m_shape;
   rhi::Format m_depthFormat = rhi::Format::D32Float;
-  std::vector<LightView> m_views;
   rhi::Texture m_depth;
   rhi::Buffer m_passBlocks;
   uint64_t m_passStride = 256;

@@ -7,77 +7,90 @@
 #include "shaders/common/shared_slots.h"
 
 namespace sb {
-namespace {
+TriangleOrder::TriangleOrder(const Context& context, Instances instances, Rank rank,
+                             std::vector<rhi::Binding> extra)
+    : m_view(&context.view),
+      m_from(std::move(instances)),
+      m_rank(std::move(rank)),
+      m_centroids(context.view.scene().meshes.size()),
+      m_drawStride(context.view.drawStride()) {
+  // Another step may sort more triangles, or into more runs.
+  size_t triangles = 1, runs = 1;
+  context.view.alongPath(context.device, [&] {
+    sortEntries();
+    order();
+    triangles = std::max(triangles, m_numbers.size());
+    runs = std::max(runs, m_runs.size());
+  });
+  auto make = [&](const char* label, std::span<const std::byte> bytes, uint64_t size,
+                  rhi::BufferUse use) {
+    rhi::Buffer buffer = context.device.createBuffer({.label = label,
+                                                      .size = std::max<uint64_t>(16, size),
+                                                      .use = use | rhi::BufferUse::CopyTarget});
+    if (m_view->steps() == 1) context.device.upload(buffer, 0, bytes);
+    return buffer;
+  };
+  m_indices = make("sorted indices", std::as_bytes(std::span(m_sortedIndices)), 12 * triangles,
+                   rhi::BufferUse::Index);
+  m_order = make("sorted triangle order", std::as_bytes(std::span(m_numbers)), 4 * triangles,
+                 rhi::BufferUse::Storage);
+  m_draws = make("sorted draws", m_drawData, runs * m_drawStride, rhi::BufferUse::Uniform);
+  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_order));
+  m_drawList = DrawList(*m_view, std::move(extra), true);
+}
 
-struct Entry {
-  double rank;
-  uint32_t instanceKey, triangleKey, instance, triangle;
-};
+void TriangleOrder::sort(rhi::CommandList& commands) {
+  sortEntries();
+  order();
+  if (m_numbers.empty()) return;
+  commands.write(m_indices, 0, std::as_bytes(std::span(m_sortedIndices)));
+  commands.write(m_order, 0, std::as_bytes(std::span(m_numbers)));
+  commands.write(m_draws, 0, m_drawData);
+}
 
-std::vector<Entry> sortedEntries(const SceneView& view, std::span<const uint32_t> instances,
-                                 const std::function<double(const glm::dvec3&)>& rank) {
-  const Scene& scene = view.scene();
-  std::vector<Entry> entries;
-  for (const uint32_t i : instances) {
+void TriangleOrder::sortEntries() {
+  const Scene& scene = m_view->scene();
+  m_entries.clear();
+  for (const uint32_t i : m_from()) {
     const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes[instance.mesh];
-    const glm::dvec3 translation = glm::dvec3(instance.toWorld[3]) - view.camera().eye;
-    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-      glm::dvec3 centroid(0);
+    auto& centroids = m_centroids[instance.mesh];
+    for (uint32_t t = uint32_t(centroids.size()); t < mesh.triangleCount(); ++t) {
+      glm::dvec3& centroid = centroids.emplace_back(0);
       for (uint32_t c = 0; c < 3; ++c)
         centroid += glm::dvec3(mesh.positions[mesh.indices[3 * t + c]]) / 3.0;
-      entries.push_back({rank(glm::dmat3(instance.toWorld) * centroid + translation), instance.key,
-                         mesh.triangleKeys[t], i, t});
     }
+    const glm::dmat3 linear(instance.toWorld);
+    const glm::dvec3 translation = glm::dvec3(instance.toWorld[3]) - m_view->camera().eye;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+      m_entries.push_back({m_rank(linear * centroids[t] + translation), instance.key,
+                           mesh.triangleKeys[t], i, t});
   }
-  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+  std::ranges::sort(m_entries, [](const Entry& a, const Entry& b) {
     return std::tie(a.rank, a.instanceKey, a.triangleKey) <
            std::tie(b.rank, b.instanceKey, b.triangleKey);
   });
-  return entries;
 }
 
-}  // namespace
-
-TriangleOrder::TriangleOrder(const Context& context, std::span<const uint32_t> instances,
-                             const std::function<double(const glm::dvec3&)>& rank,
-                             std::vector<rhi::Binding> extra)
-    : m_view(&context.view) {
+void TriangleOrder::order() {
   const Scene& scene = m_view->scene();
-  std::vector<uint32_t> indices, numbers;
-  for (const Entry& e : sortedEntries(*m_view, instances, rank)) {
+  m_sortedIndices.clear();
+  m_numbers.clear();
+  m_runs.clear();
+  for (const Entry& e : m_entries) {
     const Mesh& mesh = scene.meshes[scene.instances[e.instance].mesh];
-    indices.insert(indices.end(), mesh.indices.begin() + 3 * e.triangle,
-                   mesh.indices.begin() + 3 * e.triangle + 3);
+    m_sortedIndices.insert(m_sortedIndices.end(), mesh.indices.begin() + 3 * e.triangle,
+                           mesh.indices.begin() + 3 * e.triangle + 3);
     if (m_runs.empty() || m_runs.back().instance != e.instance)
-      m_runs.push_back({.instance = e.instance, .first = uint32_t(numbers.size())});
+      m_runs.push_back({.instance = e.instance, .first = uint32_t(m_numbers.size())});
     ++m_runs.back().count;
-    numbers.push_back(e.triangle);
+    m_numbers.push_back(e.triangle);
   }
-  upload(context, indices, numbers, std::move(extra));
-}
-
-void TriangleOrder::upload(const Context& context, const std::vector<uint32_t>& indices,
-                           const std::vector<uint32_t>& numbers, std::vector<rhi::Binding> extra) {
-  m_drawStride = m_view->drawStride();
-  std::vector<std::byte> draws(std::max<size_t>(1, m_runs.size()) * m_drawStride);
+  m_drawData.assign(std::max<size_t>(1, m_runs.size()) * m_drawStride, std::byte(0));
   for (size_t i = 0; i < m_runs.size(); ++i) {
     const gpu::DrawData draw{.ids = {m_runs[i].instance, m_runs[i].first, 0, 0}};
-    std::memcpy(draws.data() + i * m_drawStride, &draw, sizeof draw);
+    std::memcpy(m_drawData.data() + i * m_drawStride, &draw, sizeof draw);
   }
-  auto make = [&](const char* label, std::span<const std::byte> bytes, rhi::BufferUse use) {
-    rhi::Buffer buffer = context.device.createBuffer({.label = label,
-                                                      .size = std::max<uint64_t>(16, bytes.size()),
-                                                      .use = use | rhi::BufferUse::CopyTarget});
-    context.device.upload(buffer, 0, bytes);
-    return buffer;
-  };
-  m_indices = make("sorted indices", std::as_bytes(std::span(indices)), rhi::BufferUse::Index);
-  m_order =
-      make("sorted triangle order", std::as_bytes(std::span(numbers)), rhi::BufferUse::Storage);
-  m_draws = make("sorted draws", draws, rhi::BufferUse::Uniform);
-  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_order));
-  m_drawList = DrawList(*m_view, std::move(extra), true);
 }
 
 void TriangleOrder::draw(rhi::CommandList& commands, rhi::PipelineId pipeline) {

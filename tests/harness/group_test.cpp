@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "backends/null/null_backend.h"
+#include "backends/rhi/memory_limit.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);
@@ -95,6 +96,44 @@ TEST_F(NullGroup, ADeviceThatDrawsNothingHasAnImageErrorAndNoVisibility) {
   EXPECT_GT(results[0].record.image->all.rmse, 0.1);
   EXPECT_FALSE(results[0].record.visibility);
   EXPECT_EQ(results[0].record.why.at("visibility"), "no lit surface is in the picture");
+}
+
+TEST_F(NullGroup, BlocksOfACameraInMotionAreWholeLoops) {
+  std::vector<CellId> cells = {cell("CSSM2", "vulkan"), cell("none", "opengl")};
+  for (CellId& id : cells) id.scene = "layers?motion:move=0,0.5,0,steps=5";
+  CellId standing = cell("CSSM2", "vulkan");
+  MeasureSettings s = settings();
+  s.blockSeconds = 0.01;
+  const auto results = measure(cells, s);
+  const auto still = measure({standing}, settings());
+  for (const CellResult& result : results) {
+    const report::Record& r = result.record;
+    ASSERT_EQ(r.status, report::Status::Ok) << r.reason;
+    EXPECT_TRUE(r.stable.value_or(false));
+    for (const report::Block& block : r.blocks) EXPECT_EQ(block.frames % 5, 0u);
+    EXPECT_NE(r.command.find("'layers?motion:move=0,0.5,0,steps=5'"), std::string::npos);
+  }
+  // The truth is that of the standing camera: kept under the same name.
+  EXPECT_EQ(results[0].record.sceneHash, still[0].record.sceneHash);
+  EXPECT_NE(results[0].record.name, still[0].record.name);
+}
+
+TEST_F(NullGroup, MapsThatDoNotFitAreSkippedWithBytesAndLimit) {
+  rhi::pretendFreeMemory(uint64_t(1) << 30);
+  CellId large = cell("CSSM2", "vulkan"), small = cell("CSSM2", "vulkan");
+  large.knobs = {{"size", "16384"}};
+  small.knobs = {{"size", "64"}};
+  const auto results = measure({large, small}, settings());
+  rhi::pretendFreeMemory({});
+  EXPECT_EQ(results[0].record.status, report::Status::Skipped);
+  EXPECT_NE(results[0].record.reason.find(
+                "'shadow map depth' (16384x16384, D32F) needs 1024 MiB beside the"),
+            std::string::npos)
+      << results[0].record.reason;
+  EXPECT_NE(results[0].record.reason.find("expected at most 922 MiB of free memory"),
+            std::string::npos)
+      << results[0].record.reason;
+  EXPECT_EQ(results[1].record.status, report::Status::Ok) << results[1].record.reason;
 }
 
 TEST_F(NullGroup, RayTracingIsARowWithItsTimeAndNoError) {

@@ -41,6 +41,26 @@ Samples samplesOf() {
   return s;
 }
 
+TEST(Samples, ALoopOfACameraInMotionIsOneSample) {
+  Samples s = samplesOf();
+  s.loop = 2;
+  // Totals of the loops: 16, 8, 6; the middle one is (2, 1) and (3, 2).
+  s.stamped = {stamped(1, 4, 5.1), stamped(2, 9, 11.1), stamped(2, 1, 3.1),
+               stamped(3, 2, 5.1), stamped(1, 1, 2.1),  stamped(2, 2, 4.1)};
+  s.blocks[0].frames[0].counters.draws = 77;
+  s.stamped[2].passes.push_back(
+      {.label = "once", .group = PassGroup::Scene, .counters = {}, .ms = 0, .fragments = {}});
+  report::Record r;
+  summarise(s, true, r);
+  EXPECT_EQ(r.shadowMs, 2.5);
+  EXPECT_EQ(r.sceneMs, 1.5);
+  ASSERT_EQ(r.passes.size(), 3u);
+  EXPECT_EQ(r.passes[0].ms, 2.5);
+  EXPECT_EQ(r.passes[0].count, 1u);
+  EXPECT_EQ(r.passes[2].count, 0u) << "the last frame has no such pass";
+  EXPECT_EQ(r.drawCount, 3u) << "counts are of the last frame";
+}
+
 TEST(Samples, SoftwareFramesAreWallTimeRankedByCpuTime) {
   report::Record r;
   summarise(samplesOf(), true, r);

@@ -2,6 +2,7 @@
 file(GLOB rhi_gpu_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
 set(rhi_unit_tests
   ${CMAKE_CURRENT_LIST_DIR}/ledger_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/memory_limit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/null_backend_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/validator_draw_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/validator_fixture.cpp

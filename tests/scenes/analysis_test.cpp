@@ -52,6 +52,33 @@ class AnalysisTest : public ::testing::Test {
   glm::dmat4 m_flat;
 };
 
+TEST_F(AnalysisTest, APathCallsForWhatAnyOfItsStepsCallsFor) {
+  const uint32_t pane = quad(paneMaterial("pane", glm::vec3(1), 0.5f), 6, 1, 0);  // beside the view
+  const uint32_t near = quad(matteMaterial("near", glm::vec3(1)), 1, 1, 0);
+  Camera beside = m_scene.camera();
+  beside.toWorld[3].x = 8;
+  m_scene.path = {beside, m_scene.camera()};
+  const Effects e = effects();
+  ASSERT_EQ(e.steps.size(), 2u);
+  EXPECT_EQ(e.steps[0].visibleTranslucent, (std::vector<uint32_t>{pane}));
+  EXPECT_TRUE(e.steps[1].visibleTranslucent.empty());
+  EXPECT_EQ(e.steps[0].visibleOpaque, std::vector<uint32_t>{0});
+  EXPECT_EQ(e.visibleOpaque, (std::vector<uint32_t>{0, near}));
+  EXPECT_EQ(e.visibleTranslucent, (std::vector<uint32_t>{pane}));
+  EXPECT_EQ(e.lights[0].translucentCasters, (std::vector<uint32_t>{pane}));
+  EXPECT_TRUE(e.present.has(Effect::CameraTransparency));
+  EXPECT_EQ(e.reason.at(Effect::CameraTransparency),
+            "along the path, in 1 of 2 steps: the camera sees through 1 instance");
+  EXPECT_EQ(e.reason.at(Effect::NormalMaps),
+            "nowhere along the path: no visible instance has a normal map");
+  // The last step is the standing camera.
+  m_scene.path.clear();
+  const Effects still = effects();
+  EXPECT_TRUE(still.steps.empty());
+  EXPECT_EQ(still.visibleOpaque, e.steps[1].visibleOpaque);
+  EXPECT_FALSE(still.present.has(Effect::CameraTransparency));
+}
+
 TEST_F(AnalysisTest, EveryEffectHasAReason) {
   const Effects e = effects();
   EXPECT_EQ(e.reason.size(), kEffectCount);

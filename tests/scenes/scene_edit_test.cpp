@@ -52,6 +52,29 @@ TEST(SceneEdit, WhatWasAddedForWantOfCameraAndLightIsSaidOnlyWhenItStays) {
   EXPECT_EQ(scene.warnings, (std::vector<std::string>{"kept"}));
 }
 
+TEST(SceneEdit, MotionArrivesWhereTheCameraStands) {
+  // Wherever it stands in the list.
+  const Scene scene = makeScene(
+      "layers?motion:move=1,-2,3,turn=90,steps=3;camera:eye=4,5,6,at=4,5,0");
+  const Scene still = makeScene("layers?camera:eye=4,5,6,at=4,5,0");
+  ASSERT_EQ(scene.path.size(), 3u);
+  EXPECT_EQ(scene.camera().toWorld, still.camera().toWorld);
+  EXPECT_EQ(scene.path[2].toWorld, scene.camera().toWorld);
+  EXPECT_EQ(scene.path[1].eye(), glm::dvec3(3.5, 6, 4.5));
+  EXPECT_EQ(scene.path[0].eye(), glm::dvec3(3, 7, 3));
+  // Looks along -z in the end, and a quarter turn clockwise of that, along +x, at first.
+  EXPECT_NEAR(glm::length(glm::dvec3(scene.path[0].toWorld[2]) - glm::dvec3(-1, 0, 0)), 0, 1e-12);
+  for (const Camera& camera : scene.path) {
+    EXPECT_EQ(camera.toWorld[1], scene.camera().toWorld[1]);
+    EXPECT_NEAR(glm::dot(glm::cross(glm::dvec3(camera.toWorld[0]), glm::dvec3(camera.toWorld[1])),
+                         glm::dvec3(camera.toWorld[2])), 1, 1e-12);
+    EXPECT_EQ(camera.farPlane, scene.camera().farPlane);
+  }
+  EXPECT_EQ(makeScene("layers?motion:move=1,0,0").path.size(), 8u);
+  EXPECT_EQ(canonicalSceneSpec("layers?motion:steps=4,move=1,0,0"),
+            "layers?motion:move=1,0,0,steps=4");
+}
+
 TEST(SceneEdit, MaterialsByGlob) {
   const Scene before = makeScene("teapot");
   const Scene after = makeScene("teapot?*:alpha=0.25,t=0.5,0.75,1");
@@ -73,7 +96,7 @@ TEST(SceneEdit, Globs) {
 
 TEST(SceneEdit, WrongOnesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
-      {"layers?", "expected camera:..., sun:... or MATERIAL:key=value"},
+      {"layers?", "expected camera:..., sun:..., motion:... or MATERIAL"},
       {"layers?nothing:alpha=1", "unknown material 'nothing'"},
       {"layers?*:alpha=2", "alpha holds '2', expected a number from 0 to 1"},
       {"layers?*:t=1", "lacks alpha"},
@@ -83,6 +106,10 @@ TEST(SceneEdit, WrongOnesAreNamed) {
       {"layers?*:opacity=1", "unknown key 'opacity'"},
       {"layers?camera:eye=1,2,3", "lacks at"},
       {"layers?camera:eye=1,2,3,at=1,2,3", "the same point"},
+      {"layers?motion:turn=3", "lacks move"},
+      {"layers?motion:move=0,0,0", "neither moves nor turns"},
+      {"layers?motion:move=1,0,0,steps=1", "steps holds '1', expected a number from 2 to 64"},
+      {"layers?motion:move=1,0,0,steps=2.5", "expected a whole number"},
       {"layers?sun:direction=0,0,0", "no length"}};
   for (const auto& [spec, text] : cases)
     EXPECT_NE(errorOf(spec).find(text), std::string::npos) << spec << ": " << errorOf(spec);

@@ -43,6 +43,12 @@ class Cell {
   const Effects& effects() const { return m_effects; }
   rhi::Extent2D size() const { return m_options.size; }
 
+  /// Renders from now on one step of the scene's path.
+  void standAt(uint32_t step) {
+    m_renderer->standAt(step);
+    m_visibility.clear();
+    renderAgain();
+  }
   void renderAgain() { m_result = m_renderer->frame(); }
   report::Picture picture();
   /// Element 0: first opaque surface; 1..: layers from the eye. RGB and 1 where a surface is.

@@ -11,6 +11,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/identity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/local_lights_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/motion_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
@@ -29,4 +30,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp)

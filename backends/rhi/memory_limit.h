@@ -1,0 +1,36 @@
+// Whether what is asked for fits the device, before anything is allocated: the largest texture, and
+// the sum of all that is alive against its memory. Software devices share the machine's memory, and
+// drivers touch pages late: what was promised to all of them counts, against what was free when the
+// first one asked and against what is free now, so that no allocation ends in the kernel's
+// out-of-memory killer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "backends/rhi/desc.h"
+#include "backends/rhi/device_info.h"
+#include "backends/rhi/error.h"
+
+namespace rhi {
+
+/// Error::code of refusals from here.
+inline constexpr const char* kTooLarge = "TOO_LARGE";
+
+/// The device is too small for what was asked for, as it or its driver says: an expected absence,
+/// which shows only while creating.
+bool isTooLarge(const Error& error);
+/// The same in words for people.
+std::string whyTooLarge(const Error& error);
+
+/// Throws Error with kTooLarge: which allocation, its bytes, and the limit. `live`: bytes that the
+/// device holds.
+void requireFit(const DeviceInfo& device, uint64_t live, const TextureDesc& desc);
+void requireFit(const DeviceInfo& device, uint64_t live, const BufferDesc& desc);
+
+/// Bytes that software devices hold of the machine's memory, all together.
+void bookHostMemory(const DeviceInfo& device, int64_t bytes);
+/// Of a machine with so much free memory, whatever is true. Tests only; nothing: as it is.
+void pretendFreeMemory(std::optional<uint64_t> bytes);
+
+}  // namespace rhi

@@ -1,0 +1,121 @@
+// A camera in motion: every frame of its path is, bit by bit, the frame of a camera that stands
+// there with the same plan, for every technique; and the path does not depend on where in the world
+// it lies.
+#include "suites/scenes/transform.h"
+#include "tests/techniques/gpu_cell.h"
+#include "tests/techniques/motion_scenes.h"
+
+using namespace sb;
+using namespace sb::test;
+
+namespace {
+
+CellOptions optionsOf(const std::string& technique, std::map<std::string, std::string> knobs = {},
+                      const std::string& transparency = "Sorted") {
+  if (technique != "none") knobs.insert({{"size", "96"}, {"kernel", "3"}});
+  return {.technique = technique,
+          .knobs = std::move(knobs),
+          .size = {48, 36},
+          .transparency = transparency};
+}
+
+/// Two loops of the path against cameras that stand at each step.
+void expectFramesOfStandingCameras(rhi::Device& device, const Scene& scene, CellOptions options) {
+  std::string name = options.technique + "+" + options.transparency;
+  for (const auto& [knob, value] : options.knobs) name += " " + knob + "=" + value;
+  Cell moving(cellDevice(device), scene, options);
+  options.forced = moving.effects().present;
+  const uint32_t steps = uint32_t(scene.path.size());
+  for (uint32_t loop = 0; loop < 2; ++loop)
+    for (uint32_t k = 0; k < steps; ++k) {
+      if (loop + k > 0) moving.renderAgain();
+      Cell still(cellDevice(device), standingAt(scene, k), options);
+      EXPECT_EQ(moving.picture().rgba, still.picture().rgba)
+          << name << ", step " << k << " of loop " << loop;
+      if (loop == 0) continue;
+      ASSERT_EQ(moving.renderer().lightCount(), still.renderer().lightCount()) << name << " " << k;
+      for (uint32_t light = 0; light < still.renderer().lightCount(); ++light)
+        EXPECT_EQ(moving.renderer().readVisibility(light), still.visibility(light))
+            << name << ", step " << k << ", light " << light;
+    }
+}
+
+}  // namespace
+
+GPU_TEST(Motion, ShadowTechniquesDrawWhatAStandingCameraSees) {
+  for (const ShadowEntry* technique : shadowTechniques()) {
+    expectFramesOfStandingCameras(device(), travelled(true), optionsOf(technique->info.name));
+    if (technique->info.name == "none") continue;
+    expectFramesOfStandingCameras(device(), travelled(false, 60, 4),
+                                  optionsOf(technique->info.name, {{"fit", "stable"}}));
+  }
+}
+
+GPU_TEST(Motion, OrdersFromTheLightFollowTheCamera) {
+  for (const char* order : {"centre", "nearest", "triangle", "none"})
+    expectFramesOfStandingCameras(
+        device(), travelled(true),
+        optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
+  for (const char* partition : {"peeled", "batches", "source"})
+    expectFramesOfStandingCameras(
+        device(), travelled(true),
+        optionsOf("CompositedTranslucent", {{"partition", partition}}));
+  // Deeper levels than two are peeled on the last.
+  expectFramesOfStandingCameras(device(), travelled(true),
+                                optionsOf("CompositedTranslucent", {{"levels", "2"}}));
+}
+
+GPU_TEST(Motion, TransparencyTechniquesDrawWhatAStandingCameraSees) {
+  for (const TransparencyEntry* technique : transparencyTechniques()) {
+    // Lists are built in no fixed order; what is sorted out of them is.
+    expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
+                                  optionsOf("ShadowMap", {}, technique->info.name));
+  }
+  expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
+                                optionsOf("ShadowMap", {{"sort", "triangle"}}));
+  expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
+                                optionsOf("none", {{"stop", "count"}}, "DepthPeeling"));
+}
+
+GPU_TEST(Motion, TranslationOfThePathIsBitIdentical) {
+  for (const char* technique : {"ShadowMap", "CSSM2", "CompositedTranslucent"})
+    for (const glm::dvec3 offset : {glm::dvec3(1e6, -2e6, 3e6), glm::dvec3(1e7)}) {
+      Scene moved = travelled(true);
+      translateScene(moved, offset);
+      Cell here(cellDevice(device()), travelled(true), optionsOf(technique));
+      Cell there(cellDevice(device()), moved, optionsOf(technique));
+      for (uint32_t k = 0; k < moved.path.size(); ++k) {
+        EXPECT_EQ(here.picture().rgba, there.picture().rgba) << technique << ", step " << k;
+        here.renderAgain();
+        there.renderAgain();
+      }
+    }
+}
+
+GPU_TEST(Motion, ACameraThatStandsAtAStepShowsIt) {
+  Cell cell(cellDevice(device()), travelled(true), optionsOf("CSSM2"));
+  std::vector<std::vector<float>> pictures = {cell.picture().rgba};
+  for (uint32_t k = 1; k < 5; ++k) {
+    cell.renderAgain();
+    pictures.push_back(cell.picture().rgba);
+    EXPECT_NE(pictures[k], pictures[k - 1]) << k;
+  }
+  for (const uint32_t k : {2u, 0u, 4u, 4u}) {
+    cell.standAt(k);
+    EXPECT_EQ(cell.picture().rgba, pictures[k]) << k;
+    cell.renderAgain();
+    EXPECT_EQ(cell.picture().rgba, pictures[k]) << k;
+  }
+  // Other random numbers at the same place.
+  cell.renderer().standStill();
+  cell.renderer().setSeed(7);
+  cell.renderAgain();
+  Cell still(cellDevice(device()), standingAt(travelled(true), 4),
+             {.technique = "CSSM2",
+              .knobs = {{"size", "96"}, {"kernel", "3"}},
+              .size = {48, 36},
+              .seed = 7,
+              .forced = cell.effects().present});
+  EXPECT_EQ(cell.picture().rgba, still.picture().rgba);
+  EXPECT_NE(cell.picture().rgba, pictures[4]);
+}

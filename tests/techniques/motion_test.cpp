@@ -1,0 +1,158 @@
+// A camera in motion without a driver: what is written in which frame, and that frames allocate and
+// upload nothing; light views along a path keep their places, and stable ones their texels.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "backends/null/null_backend.h"
+#include "suites/scenes/analysis.h"
+#include "tests/techniques/motion_scenes.h"
+#include "techniques/common/view_path.h"
+
+namespace sb::test {
+namespace {
+
+/// Counts what frames do beside drawing.
+class Traffic final : public rhi::Observer {
+ public:
+  void created(rhi::BufferId, const rhi::BufferDesc&) override { ++objects; }
+  void created(rhi::TextureId, const rhi::TextureDesc&) override { ++objects; }
+  void created(rhi::PipelineId, const rhi::GraphicsPipelineDesc&) override { ++objects; }
+  void write(rhi::BufferId, uint64_t, uint64_t size) override { writes += size; }
+  void upload(rhi::BufferId, uint64_t, uint64_t size) override { uploads += size; }
+  uint64_t objects = 0, writes = 0, uploads = 0;
+};
+
+struct Watched {
+  Watched(const Scene& scene, const CellOptions& options)
+      : device(null_backend::makeBackend()->open({})) {
+    device->setObserver(&traffic);
+    shared = std::make_unique<CellDevice>(*device);
+    cell = std::make_unique<Cell>(*shared, scene, options);
+  }
+  /// Of one more frame.
+  Traffic frame() {
+    traffic.objects = traffic.writes = traffic.uploads = 0;
+    cell->renderAgain();
+    return traffic;
+  }
+  Traffic traffic;
+  std::unique_ptr<rhi::Device> device;
+  std::unique_ptr<CellDevice> shared;
+  std::unique_ptr<Cell> cell;
+};
+
+/// Knobs under which a technique has most to do when the camera moves.
+std::map<std::string, std::string> busyKnobs(const std::string& technique) {
+  if (technique == "TranslucentShadows") return {{"variant", "published"}, {"order", "triangle"}};
+  if (technique == "CompositedTranslucent") return {{"partition", "batches"}};
+  return {};
+}
+
+TEST(Motion, FramesWriteThroughTheirCommandsAndAllocateNothing) {
+  for (const ShadowEntry* technique : shadowTechniques()) {
+    const std::string& name = technique->info.name;
+    Watched moving(travelled(true), {.technique = name, .knobs = busyKnobs(name)});
+    for (uint32_t k = 1; k < 12; ++k) {
+      const Traffic t = moving.frame();
+      EXPECT_GT(t.writes, 1000u) << name;
+      EXPECT_EQ(t.uploads, 0u) << name;
+      EXPECT_EQ(t.objects, 0u) << name;
+    }
+  }
+}
+
+TEST(Motion, AStandingCameraWritesNothing) {
+  for (const ShadowEntry* technique : shadowTechniques()) {
+    const std::string& name = technique->info.name;
+    const Scene scene = travelled(true);
+    Watched standing(standingAt(scene, 4), {.technique = name, .knobs = busyKnobs(name)});
+    Watched stopped(scene, {.technique = name, .knobs = busyKnobs(name)});
+    stopped.cell->standAt(4);
+    for (Watched* watched : {&standing, &stopped}) {
+      const Traffic t = watched->frame();
+      EXPECT_EQ(t.writes + t.uploads + t.objects, 0u) << name;
+      for (const PassResult& pass : watched->cell->result().passes)
+        EXPECT_NE(pass.label, "camera moved") << name;
+    }
+  }
+}
+
+TEST(Motion, MovingIsPartOfTheFrameUnderItsName) {
+  Watched moving(travelled(true), {.technique = "CSSM2"});
+  const FrameResult& frame = moving.cell->result();
+  ASSERT_FALSE(frame.passes.empty());
+  EXPECT_EQ(frame.passes.front().label, "camera moved");
+  EXPECT_EQ(frame.passes.size(), frame.counters.passes + 1);
+  const FrameResult stamped = moving.cell->renderer().frame(FrameMode::Stamped);
+  for (const PassResult& pass : stamped.passes) EXPECT_TRUE(pass.ms.has_value()) << pass.label;
+}
+
+TEST(Motion, DrawsAreThoseOfAStandingCameraAtEachStep) {
+  // What only other steps show or need costs a step nothing.
+  const Scene scene = travelled(true);
+  Watched moving(scene, {.technique = "CSSM2"});
+  std::set<uint64_t> passes;
+  for (uint32_t k = 0; k < scene.path.size(); ++k) {
+    Watched still(standingAt(scene, k), {.technique = "CSSM2"});
+    const rhi::Counters &a = moving.cell->result().counters, &b = still.cell->result().counters;
+    EXPECT_EQ(a, b) << k << ": " << a.passes << " " << a.draws << ", " << b.passes << " " << b.draws;
+    passes.insert(a.passes);
+    moving.cell->renderAgain();
+  }
+  EXPECT_GT(passes.size(), 1u) << "all steps are alike";
+}
+
+LightView viewOf(uint32_t light, uint32_t face, std::vector<uint32_t> opaque) {
+  LightView view{.light = light, .face = face, .opaque = std::move(opaque)};
+  view.data.origin = {float(10 * light + face), 0, 0, 0};
+  return view;
+}
+
+TEST(Motion, ViewsKeepTheirPlacesAlongAPath) {
+  const std::vector<std::vector<LightView>> steps = {
+      {viewOf(0, 0, {1}), viewOf(2, 0, {}), viewOf(2, 1, {7})},
+      {viewOf(1, 0, {3, 5}), viewOf(2, 0, {}), viewOf(2, 1, {4})}};
+  const std::vector<LightView> united = uniteViews(steps);
+  ASSERT_EQ(united.size(), 4u);
+  EXPECT_EQ(united[3].opaque, (std::vector<uint32_t>{4, 7}));
+  const auto layers = [](const std::vector<LightView>& views) {
+    std::vector<int> out;
+    for (const LightView& v : views) out.push_back(v.layer());
+    return out;
+  };
+  EXPECT_EQ(layers(united), (std::vector<int>{0, 1, -1, 2}));
+  const std::vector<LightView> second = placeViews(united, steps[1]);
+  EXPECT_EQ(layers(second), (std::vector<int>{-1, 1, -1, 2}));
+  EXPECT_EQ(second[1].opaque, (std::vector<uint32_t>{3, 5}));
+  EXPECT_EQ(second[3].opaque, (std::vector<uint32_t>{4}));
+  EXPECT_TRUE(second[0].empty());
+}
+
+TEST(Motion, StableFitsKeepTheirTexelsAlongAPath) {
+  const Scene scene = travelled(false, 90, 33);
+  const Effects effects = analyse(scene, 1);
+  const LightFitSettings settings{.mapSize = 256, .guardTexels = 3, .fit = LightFit::Stable};
+  const auto fit = [&](size_t k) {
+    return fitLights(scene, effects.steps[k], scene.path[k], 1, settings).at(0);
+  };
+  const LightView last = fit(32);
+  for (size_t k = 0; k < 32; ++k) {
+    const LightView view = fit(k);
+    EXPECT_EQ(view.data.texel.z, last.data.texel.z) << k;
+    for (int row = 0; row < 2; ++row)  // width on the map, not depth
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(view.data.toClip[c][row], last.data.toClip[c][row]);
+    // The window moves by whole texels.
+    const glm::dvec3 moved = glm::dvec3(glm::vec3(view.data.origin)) + scene.path[k].eye() -
+                             glm::dvec3(glm::vec3(last.data.origin)) - scene.camera().eye();
+    const glm::dmat4 m(view.data.toClip);
+    for (int row = 0; row < 2; ++row) {
+      const double texels = 128 * glm::dot(glm::dvec3(m[0][row], m[1][row], m[2][row]), moved);
+      EXPECT_NEAR(texels, std::round(texels), 2e-3) << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sb::test
