@@ -3,9 +3,6 @@
 // numbers"). Include scene.glsl, shared_hash.h and light_pass.glsl before.
 layout(constant_id = 21) const uint kNoise = 0u;       // NOISE_*
 layout(constant_id = 22) const uint kNoiseBlock = 1u;  // width of a stratified block, texels
-layout(constant_id = 23) const float kEyeX = 0.0;      // of the camera in the world: source alone
-layout(constant_id = 24) const float kEyeY = 0.0;
-layout(constant_id = 25) const float kEyeZ = 0.0;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2D t_noise;
 
 #define NOISE_HASH 0u
@@ -70,7 +67,7 @@ vec4 sourceNumbers(uint seed, vec2 uv) {
   ShadowViewData view = shadowViews[PASS_SHADOW_VIEW];
   vec3 ndc = vec3(gl_FragCoord.xy * view.texel.x * 2.0 - 1.0, gl_FragCoord.z);
   vec4 p = transpose(view.planeToClip) * vec4(ndc, 1);  // planes go the inverse way transposed
-  vec3 world = p.xyz / p.w + view.origin.xyz + vec3(kEyeX, kEyeY, kEyeZ);
+  vec3 world = p.xyz / p.w + view.origin.xyz + frame.eye.xyz;
   vec2 shift = vec2(seed & 2047u, (seed >> 11u) & 2047u) / 2048.0;
   return textureLod(t_noise, world.xy + world.zz + uv + shift, 0.0);
 }

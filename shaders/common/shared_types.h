@@ -24,6 +24,7 @@ struct FrameData {
   mat4 viewProjection;  // camera-relative world -> clip
   vec4 ambient;         // rgb
   uvec4 counts;         // x: lights, y: width, z: height, w: seed
+  vec4 eye;             // of the camera in the world, rounded: for noise=source alone
 };
 
 // A placed mesh.
@@ -96,7 +97,7 @@ struct ShadowViewData {
 #ifdef __cplusplus
 static_assert(sizeof(DrawData) == 16);
 static_assert(offsetof(FrameData, ambient) == 64 && offsetof(FrameData, counts) == 80 &&
-              sizeof(FrameData) == 96);
+              offsetof(FrameData, eye) == 96 && sizeof(FrameData) == 112);
 static_assert(offsetof(InstanceData, normal0) == 48 && offsetof(InstanceData, ids) == 96 &&
               sizeof(InstanceData) == 112);
 static_assert(sizeof(TriangleData) == 16);

@@ -1,7 +1,6 @@
 #include "techniques/common/noise.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/noise_tiles.h"
@@ -48,9 +47,6 @@ Noise::Noise(const Context& context) {
   } else if (kind == "source") {
     createTile(device, kSourceWidth, rhi::Format::RGBA8Unorm,
                std::as_bytes(std::span(sourceTile())));
-    const glm::vec3 eye(context.view.camera().eye);
-    for (uint32_t c = 0; c < 3; ++c)
-      m_constants.push_back({23 + c, std::bit_cast<uint32_t>(eye[int(c)])});
   } else {
     // The shader names a texture that these kinds do not read: any will do.
     m_binding = context.view.gpu().textures(0).front();

@@ -5,9 +5,8 @@
 //   texture     a tile of white noise, read elsewhere by every surface; repeats after 256 texels
 //   stratified  one number of each of N^2 equal parts in every block as wide as the filter
 //   blue        a tile of blue noise, read elsewhere by every surface; repeats after 64 texels
-//   source      as the source document's program does it: 8 bits by world position, p = 0 blocks
-//   one
-//               texel in 256, and what the pattern looks like depends on the scale of the world
+//   source      as the source document's program does it: 8 bits by world position; p = 0 blocks
+//               one texel in 256, and the pattern depends on the scale of the world
 #pragma once
 
 #include "techniques/common/technique.h"
@@ -26,7 +25,7 @@ class Noise {
   /// Binding of the light passes that draw numbers; of a texture that is not read when there is no
   /// tile.
   rhi::Binding binding() const { return m_binding; }
-  /// Constants 21 to 25 of noise.glsl.
+  /// Constants 21 and 22 of noise.glsl.
   const std::vector<rhi::SpecConstant>& constants() const { return m_constants; }
   /// Whether numbers of different texels are independent: what a binomial test needs.
   bool independent() const { return m_independent; }
