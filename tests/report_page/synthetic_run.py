@@ -1,6 +1,6 @@
 """Results made by hand for the tests of the report's page: two scenes, three backends, a ray-traced
 row without error, a stochastic technique with noise and certificate, a failed, a skipped and a
-contaminated cell, hostile texts, and pictures as PNG files written with zlib alone.
+contaminated cell, hard cases, hostile texts, and pictures as PNG files written with zlib alone.
 """
 import json
 import math
@@ -179,6 +179,34 @@ def cells_of(scene, pictures, entries):
                             {**shared, "truth": truth}, noisy)
 
 
+def hard_case(id, technique, backend, verdict, curve, parameter="", logarithmic=False):
+    """`curve`: x, found, allowed; found None is no number."""
+    broken = [x for x, found, allowed in curve if found is None or found > allowed]
+    return {"name": f"{id}/{technique}/{backend}", "case": id, "title": f"Title of {id} <b>",
+            "property": "what must hold (1)", "reason": "<b>half a step</b> of 8 bits",
+            "technique": technique, "backend": backend, "parameter": parameter,
+            "logarithmic": logarithmic, "verdict": verdict,
+            "why": "" if verdict == "PASS" else f"why of {id}",
+            "breaks_at": broken[0] if broken else None,
+            "curve": [{"x": x, "value": found, "tolerance": allowed} for x, found, allowed in curve]}
+
+
+def hard_cases():
+    """Three cases, two of them with a curve: one over magnitudes with a value that is no number."""
+    out = []
+    for backend in ("vulkan", "opengl"):
+        out += [hard_case("G1", "ShadowMap", backend, "PASS", [(0, 0, 0)]),
+                hard_case("G1", "CSSM2", backend, "skipped", []),
+                hard_case("G2", "ShadowMap", backend, "PASS",
+                          [(10.0 ** e, 1e-7 * 10 ** (e / 2), 2e-3) for e in range(7)], "offset, m", True),
+                hard_case("G2", "CSSM2", backend, "FAIL" if backend == "opengl" else "PASS",
+                          [(10.0 ** e, None if backend == "opengl" and e == 6 else 1e-6 * 10 ** (e / 2),
+                            2e-3) for e in range(7)], "offset, m", True),
+                hard_case("T4", "CSSM2", backend, "EXPECTED",
+                          [(a / 10, a / 20, 0.21) for a in range(11)], "alpha")]
+    return out
+
+
 def write(folder):
     """Writes results.json and its pictures; gives the path."""
     path = os.path.join(folder, "results.json")
@@ -200,5 +228,5 @@ def write(folder):
                "load_avg": [0.5, 0.4, 0.3], "library_build_type": "release",
                "shadowbench_version": "0.1.0", "warnings": ["scene x: a texture is missing"]}
     with open(path, "w") as file:
-        json.dump({"context": context, "benchmarks": entries}, file)
+        json.dump({"context": context, "benchmarks": entries, "stability": hard_cases()}, file)
     return path
