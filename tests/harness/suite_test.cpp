@@ -94,6 +94,10 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsize='5'", "s.toml:4: run 1.size"},
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsweep.kernel=[[1]]",
        "s.toml:4: run 1.sweep.kernel"},
+      {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsun='direction=0,x,0'",
+       "s.toml:4: run 1.sun: scene edit 'sun:direction=0,x,0': direction holds 'x'"},
+      {"[[run]]\nscenes=['layers']\ntechniques=['none']\nmaterials=['china']",
+       "s.toml:4: run 1.materials: scene edit 'china': expected"},
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsweep=4", "run 1.sweep: found 4"},
       {"[[run]]\nscenes=['layers']\ntechniques=['Shadowmap']", "s.toml:1: run 1: unknown technique"},
       {"[[run]]\nscenes=['layer']\ntechniques=['none']", "unknown scene 'layer'"},
@@ -103,6 +107,24 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
   for (const auto& [text, expected] : cases)
     EXPECT_NE(errorOf(text).find(expected), std::string::npos)
         << text << "\n-> " << errorOf(text) << "\nexpected " << expected;
+}
+
+TEST(Suite, ChangesOfScenesAreThoseOfTheCommandLine) {
+  EXPECT_EQ(namesOf(R"(
+    [[run]]
+    scenes = ["layers:alpha=0.5", "teapot"]
+    techniques = ["none"]
+    backends = ["vulkan"]
+    size = "8x8"
+    sun = "direction=0,-1,0.50"
+    camera = "eye=1,2,3,at=0,0,0"
+    materials = ["*:alpha=0.5,t=0.9", "w?:alpha=0"]
+  )"),
+            (std::vector<std::string>{
+                "none/vulkan/layers:alpha=0.5?camera:eye=1,2,3,at=0,0,0;sun:direction=0,-1,0.5;"
+                "*:alpha=0.5,t=0.9,0.9,0.9;w?:alpha=0/8x8",
+                "none/vulkan/teapot?camera:eye=1,2,3,at=0,0,0;sun:direction=0,-1,0.5;"
+                "*:alpha=0.5,t=0.9,0.9,0.9;w?:alpha=0/8x8"}));
 }
 
 TEST(Suite, EveryBuiltInSuiteSelectsCells) {
