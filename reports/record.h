@@ -94,6 +94,7 @@ struct Record {
   // error against the truth, of the very frame that was verified
   std::optional<VisibilityError> visibility;  ///< over all lights and layers
   std::vector<LayerError> visibilityLayers;
+  std::vector<RegionError> visibilityRegions;
   std::optional<ImageError> image;
   std::optional<NoiseRecord> noise;           ///< stochastic techniques only
   std::optional<Certificate> certificate;     ///< stochastic techniques only

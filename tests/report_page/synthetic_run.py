@@ -117,6 +117,8 @@ def cell(technique, backend, scene, variant, ms, rmse, pictures, noisy=False):
         "bytes_by_label": {"camera colour": int(3e6), "shadow map": int(shadow * 2e6)},
         "nonfinite": 0, "stable": True, "cross_backend_max_255": 1, "cross_backend_over_1_255": 0,
         "picture": pictures.get("image", ""), "visibility_layers": [],
+        "visibility_regions": [{"region": "pale", "share": 1.0, "rmse": rmse / 2, "bias": 0,
+                                "noise": rmse / 3 if noisy else None}],
         "visibility": {**stats(rmse), "interior": stats(rmse / 4)},
         "image": {**stats(0.4 * rmse ** 0.8), "relmse": rmse * 0.5, "flip": rmse * 0.6,
                   "interior": {**stats(rmse * 0.1), "relmse": rmse * 0.1, "flip": rmse * 0.1}},
