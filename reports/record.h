@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reports/error_record.h"
+#include "reports/figure.h"
 #include "reports/stability_record.h"
 
 namespace report {
@@ -131,6 +132,7 @@ struct Run {
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;
   std::vector<StabilityRecord> stability;  ///< hard cases
+  std::vector<Figure> figures;             ///< what the suite shows again of a document
 };
 
 /// Fills everything but `records` and `warnings` from this machine.

@@ -151,6 +151,9 @@ std::string overviewHtml(const PageModel& model, const Names& notes) {
       "<p class=\"eyebrow\">ShadowBench report</p>\n<h1>What shadows cost, and how wrong they "
       "are</h1>\n" +
       notices(model, notes) + facts(model) + "<nav aria-label=\"Parts\"><ul>\n";
+  for (size_t i = 0; i < model.run.figures.size(); ++i)
+    out += "<li><a href=\"#figure" + std::to_string(i) + "\">Figure " +
+           escaped(model.run.figures[i].id) + "</a></li>\n";
   if (!model.run.stability.empty()) out += "<li><a href=\"#stability\">Hard cases</a></li>\n";
   for (const ScenePart& part : model.parts)
     out += "<li data-scene=\"" + escaped(part.scene) + "\"><a href=\"#" + part.id + "\">" +

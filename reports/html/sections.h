@@ -18,6 +18,8 @@ std::string filtersHtml(const PageModel& model);
 
 /// What one time buys in every scene; "" for a single scene.
 std::string summaryHtml(const PageModel& model);
+/// Figures of the suite's document, each with its verdicts; "" without any.
+std::string figuresHtml(const PageModel& model, PictureSet& pictures, CurveSet& curves);
 /// Hard cases: verdicts and curves; "" without any.
 std::string stabilityHtml(const PageModel& model, CurveSet& curves);
 /// One scene: plot, tables, bars, pictures.

@@ -108,7 +108,7 @@ Suite parseSuite(std::string_view text, const std::string& file) {
     throw InputError(file + ":" + std::to_string(e.source().begin.line),
                      std::string(e.description()));
   }
-  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run", "stability"});
+  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run", "stability", "figure"});
   Suite suite{.name = file};
   if (const auto* n = root.get("title")) suite.title = reader.text(*n, "title");
   if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", 0));
@@ -122,6 +122,9 @@ Suite parseSuite(std::string_view text, const std::string& file) {
   });
   reader.eachTable(root, "", "stability", [&](const toml::node& node, size_t i) {
     suite.stability.push_back(parseStability(reader, node, i));
+  });
+  reader.eachTable(root, "", "figure", [&](const toml::node& node, size_t i) {
+    suite.figures.push_back(parseFigure(reader, node, i));
   });
   return suite;
 }

@@ -15,6 +15,7 @@
 //   [[stability]]                    hard cases (suites/stability)
 //   cases = ["G1", ...]              optional: ids; without it all
 //   techniques = ["CSSM2", ...]      optional: without it all
+// and [[figure]]: figures of a document that the cells show again (suites/harness/suite_figures.h)
 #pragma once
 
 #include <optional>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "suites/harness/selection.h"
+#include "suites/harness/suite_figures.h"
 
 namespace sb {
 
@@ -45,6 +47,7 @@ struct Suite {
   std::optional<double> precisionPercent;
   std::vector<SuiteRun> runs;
   std::vector<StabilityRun> stability;
+  std::vector<SuiteFigure> figures;
 };
 
 /// Names of the suites that the program brings.
