@@ -44,11 +44,11 @@ std::string statements(const Figure& figure, const Run& run) {
 std::string missing(const Figure& figure, const Run& run) {
   const auto names = missingCells(figure, run);
   if (names.empty()) return "";
-  std::string out = "<p class=\"notice\">" + counted(names.size(), "cell is", "cells are") +
+  std::string out = "<div class=\"notice\">" + counted(names.size(), "cell is", "cells are") +
                     " missing of " + std::to_string(figure.cells.size()) +
                     " <details><summary>which</summary><ul>";
   for (const std::string& name : names) out += "<li><code>" + escaped(name) + "</code></li>";
-  return out + "</ul></details></p>\n";
+  return out + "</ul></details></div>\n";
 }
 
 std::string table(const PageModel& model, const Figure& figure) {

@@ -51,8 +51,9 @@ std::string toHtml(const Run& run, const HtmlSettings& settings) {
   const PageModel model(run);
   PictureSet pictures(settings.pictures);
   CurveSet curves;
-  std::string scenes = figuresHtml(model, pictures, curves) + summaryHtml(model) +
-                       stabilityHtml(model, curves);
+  std::string scenes = figuresHtml(model, pictures, curves);
+  scenes += summaryHtml(model);
+  scenes += stabilityHtml(model, curves);
   for (const ScenePart& part : model.parts) scenes += sceneHtml(model, part, settings, pictures);
   // Notes and data know only now which pictures there are.
   const std::string overview = overviewHtml(model, pictures.notes());

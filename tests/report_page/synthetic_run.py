@@ -1,6 +1,6 @@
 """Results made by hand for the tests of the report's page: two scenes, three backends, a ray-traced
 row without error, a stochastic technique with noise and certificate, a failed, a skipped and a
-contaminated cell, hard cases, hostile texts, and pictures as PNG files written with zlib alone.
+contaminated cell, hard cases, figures, hostile texts, and pictures as PNG files written with zlib alone.
 """
 import json
 import math
@@ -209,6 +209,30 @@ def hard_cases():
     return out
 
 
+def figure(id, kind, cells, statements, x=""):
+    return {"id": id, "title": f"Title of {id} <b>", "kind": kind, "document": "It says <b>so</b>.",
+            "x": x, "x_fallback": 0, "cells": cells, "missing": [],
+            "stated": [{"cells": "^CSSM2/", "passes": "three, <b>stated</b>", "attachments": "two",
+                        "bytes": ""}],
+            "statements": [{"text": f"<b>Claim</b> on {left}", "of": of,
+                            "left": {"cells": left, "measure": measure, "at": None},
+                            "right": {"cells": right, "measure": measure, "at": None},
+                            "relation": "less", "factor": 1, "otherwise": "<b>otherwise</b>"}
+                           for of, measure, left, right in statements]}
+
+
+def figures(names):
+    """One of each kind; the knob kernel is the first one's x."""
+    layers = [n for n in names if "/layers/" in n and "osmesa" not in n]
+    cssm2 = [n for n in layers if n.startswith("CSSM2/")]
+    return [figure("5.3", "scaling", cssm2 + ["CSSM2/vulkan/layers/kernel:63/128x128"],
+                   [("slope", "time", "^CSSM2/", "^CSSM2/.*kernel:9"),
+                    ("value", "visibility", "kernel:9", "^CSSM2/[^/]*/layers/128"),
+                    ("value", "visibility", "^CSSM2/[^/]*/layers/128", "kernel:9")], "kernel"),
+            figure("5.4", "pictures", layers, []), figure("5.5", "layers", cssm2, []),
+            figure("5.6", "regions", cssm2, []), figure("5.7", "resources", layers, [])]
+
+
 def write(folder):
     """Writes results.json and its pictures; gives the path."""
     path = os.path.join(folder, "results.json")
@@ -230,5 +254,7 @@ def write(folder):
                "load_avg": [0.5, 0.4, 0.3], "library_build_type": "release",
                "shadowbench_version": "0.1.0", "warnings": ["scene x: a texture is missing"]}
     with open(path, "w") as file:
-        json.dump({"context": context, "benchmarks": entries, "stability": hard_cases()}, file)
+        names = [e["run_name"] for e in entries if e["run_type"] == "aggregate"]
+        json.dump({"context": context, "benchmarks": entries, "stability": hard_cases(),
+                   "figures": figures(names)}, file)
     return path
