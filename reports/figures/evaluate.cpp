@@ -247,7 +247,7 @@ std::optional<LineFit> fitLine(const std::vector<std::pair<double, double>>& poi
 
 std::string shortNumber(double value) {
   const double size = std::abs(value);
-  if (size >= 999.5 && size < 1e7) return fmt::format("{:.0f}", value);
+  if (size >= 999.5 && size < 1e10) return fmt::format("{:.0f}", value);
   return fmt::format("{:.3g}", value);
 }
 
