@@ -74,7 +74,8 @@ std::string missingText(const Figure& figure, const Run& run) {
 std::string figuresText(const Run& run) {
   std::string out;
   for (const Figure& f : run.figures) {
-    out += fmt::format("\nFigure {}: {}\n", f.id, f.title) + tableText(f, run) + missingText(f, run);
+    out +=
+        fmt::format("\nFigure {}: {}\n", f.id, f.title) + tableText(f, run) + missingText(f, run);
     for (const FigureStatement& s : f.statements) out += statementText(f, s, run);
   }
   return out;

@@ -1,6 +1,6 @@
 // A figure or table of a document that a suite shows again: which cells it is made of, what the
-// document says about it, and how to check that against what was measured. Plain data, kept with the
-// run, so that a report needs no suite.
+// document says about it, and how to check that against what was measured. Plain data, kept with
+// the run, so that a report needs no suite.
 #pragma once
 
 #include <optional>
@@ -32,8 +32,8 @@ struct FigureSide {
 /// A claim of the document, in our words, as a comparison that holds or does not.
 struct FigureStatement {
   std::string text;
-  /// "value": mean over the cells; "slope", "intercept": of the measure over x; "each": every cell's
-  /// left measure against its own right one.
+  /// "value": mean over the cells; "slope", "intercept": of the measure over x; "each": every
+  /// cell's left measure against its own right one.
   std::string of = "value";
   FigureSide left, right;
   std::optional<double> number;  ///< instead of the right side

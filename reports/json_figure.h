@@ -1,7 +1,7 @@
 // Figures in JSON: key `figures` beside `benchmarks`, a list of objects
-//   id, title, kind, document, x, x_fallback, cells[], missing[], stated[{cells, passes, attachments,
-//   bytes}], statements[{text, of, left{cells, measure, at}, right{..} or number, relation, factor,
-//   otherwise, verdict, found, why}]
+//   id, title, kind, document, x, x_fallback, cells[], missing[], stated[{cells, passes,
+//   attachments, bytes}], statements[{text, of, left{cells, measure, at}, right{..} or number,
+//   relation, factor, otherwise, verdict, found, why}]
 // Verdicts and what is missing are for other programs: reading a run finds them anew.
 #pragma once
 

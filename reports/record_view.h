@@ -1,4 +1,5 @@
-// What reports say about a cell: its technique and what sets it apart, and the time it is compared by.
+// What reports say about a cell: its technique and what sets it apart, and the time it is compared
+// by.
 #pragma once
 
 #include <optional>

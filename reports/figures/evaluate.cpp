@@ -18,8 +18,8 @@ using Records = std::vector<const Record*>;
 
 enum class Outcome : uint8_t { Holds, Fails, Undecided };
 
-/// `factor` times less, more, or within: decided only where the intervals leave no doubt. `orEqual`:
-/// what is exact and equal is less and more as well.
+/// `factor` times less, more, or within: decided only where the intervals leave no doubt.
+/// `orEqual`: what is exact and equal is less and more as well.
 Outcome compare(const Measured& left, const std::string& relation, double factor,
                 const Measured& right, bool orEqual) {
   if (relation == "about") {
@@ -65,6 +65,16 @@ std::optional<Measured> valueOf(const Figure& figure, const std::string& of,
   return of == "slope" ? Measured{fit->slope, fit->slopeHalf} : Measured{fit->intercept, 0};
 }
 
+/// Are all the side's cells there? Means over different cells could not be compared.
+bool isWhole(const Figure& figure, const FigureSide& side, const std::string& backend,
+             const Records& found) {
+  if (side.at) return !found.empty();  // names do not say every cell's x
+  const auto expected = std::ranges::count_if(figure.cells, [&](const std::string& name) {
+    return name.find("/" + backend + "/") != name.npos && matchesRegex(side.cells, name);
+  });
+  return std::ssize(found) == expected;
+}
+
 std::string sign(const std::string& relation, Outcome outcome) {
   if (outcome == Outcome::Undecided) return "?";
   if (relation == "about") return outcome == Outcome::Holds ? "≈" : "≠";
@@ -80,7 +90,7 @@ std::string subject(const Figure& figure, const FigureStatement& s) {
   std::string out = measureTitle(s.left.measure);
   if (!s.number && s.right.measure != s.left.measure)
     out += " against " + measureTitle(s.right.measure);
-  if (s.of == "slope") out = "slope of " + out + ", per " + figure.x;
+  if (s.of == "slope") out = "slope of " + out + ", over " + figure.x;
   if (s.of == "intercept") out += ", at " + figure.x + " = 0";
   if (s.left.at) out += fmt::format(", at {} = {:g}", figure.x, *s.left.at);
   if (s.right.at && s.right.at != s.left.at)
@@ -127,7 +137,8 @@ Found evaluateEach(const FigureStatement& s, const Records& records) {
     if (!left || !right) return {};
     ++cells;
     // Within one cell both come from the same frames.
-    const Outcome outcome = compare({left->value, 0}, s.relation, s.factor, {right->value, 0}, true);
+    const Outcome outcome =
+        compare({left->value, 0}, s.relation, s.factor, {right->value, 0}, true);
     if (found.outcome && (*found.outcome == Outcome::Fails || outcome == Outcome::Holds)) continue;
     found = {outcome, outcome == Outcome::Holds
                           ? ""
@@ -146,10 +157,13 @@ Found evaluateOn(const Figure& figure, const FigureStatement& s, const std::stri
   if (s.of == "each") return evaluateEach(s, leftCells);
   FigureSide rightSide = s.right;
   if (rightSide.cells.empty()) rightSide.cells = s.left.cells;
+  const Records rightCells = sideRecords(figure, rightSide, backend, all);
+  if (!isWhole(figure, s.left, backend, leftCells) ||
+      (!s.number && !isWhole(figure, rightSide, backend, rightCells)))
+    return {};
   const auto left = valueOf(figure, s.of, s.left.measure, leftCells);
   const auto right = s.number ? std::optional(Measured{*s.number, 0})
-                              : valueOf(figure, s.of, s.right.measure,
-                                        sideRecords(figure, rightSide, backend, all));
+                              : valueOf(figure, s.of, s.right.measure, rightCells);
   if (!left || !right) return {};
   const Outcome outcome = compare(*left, s.relation, s.factor, *right, s.number.has_value());
   return {outcome, withHalf(*left) + " " + sign(s.relation, outcome) + " " + withHalf(*right)};

@@ -16,7 +16,7 @@ std::string_view verdictName(FigureVerdict verdict);  ///< "reproduced", "NOT re
 
 struct StatementResult {
   FigureVerdict verdict = FigureVerdict::NotMeasured;
-  std::string found;  ///< what was compared and found: "slope of time, ms, per quads: 0.01 < 0.02 (vulkan)"
+  std::string found;  ///< "slope of time, ms, over quads: 0.01 < 0.02 (vulkan)"
   std::string why;    ///< of NotReproduced and NotMeasured
 };
 

@@ -80,7 +80,9 @@ const std::map<std::string, Measure>& measures() {
         }}},
       {"visibility",
        {"visibility RMSE", false, false,
-        [](R r, A) { return r.visibility ? std::optional(r.visibility->all.rmse) : std::nullopt; }}},
+        [](R r, A) {
+          return r.visibility ? std::optional(r.visibility->all.rmse) : std::nullopt;
+        }}},
       {"visibility_interior",
        {"visibility RMSE away from edges", false, false,
         [](R r, A) {
@@ -88,7 +90,9 @@ const std::map<std::string, Measure>& measures() {
         }}},
       {"visibility_bias",
        {"visibility bias", false, false,
-        [](R r, A) { return r.visibility ? std::optional(r.visibility->all.bias) : std::nullopt; }}},
+        [](R r, A) {
+          return r.visibility ? std::optional(r.visibility->all.bias) : std::nullopt;
+        }}},
       {"image",
        {"image RMSE", false, false,
         [](R r, A) { return r.image ? std::optional(r.image->all.rmse) : std::nullopt; }}},
@@ -103,8 +107,7 @@ const std::map<std::string, Measure>& measures() {
         [](R r, A a) -> std::optional<double> {
           std::optional<double> most;
           for (const LayerError& l : r.visibilityLayers)
-            if (std::to_string(l.layer) == a)
-              most = std::max(most.value_or(0), l.error.all.rmse);
+            if (std::to_string(l.layer) == a) most = std::max(most.value_or(0), l.error.all.rmse);
           return most;
         }}},
       {"region",
@@ -113,11 +116,10 @@ const std::map<std::string, Measure>& measures() {
           const RegionError* e = regionOf(r, a);
           return e ? std::optional(e->rmse) : std::nullopt;
         }}},
-      {"region_noise",
-       {"noise of region", false, true, [](R r, A a) {
-          const RegionError* e = regionOf(r, a);
-          return e ? e->noise : std::nullopt;
-        }}}};
+      {"region_noise", {"noise of region", false, true, [](R r, A a) {
+                          const RegionError* e = regionOf(r, a);
+                          return e ? e->noise : std::nullopt;
+                        }}}};
   return kMeasures;
 }
 
@@ -191,7 +193,8 @@ std::string sceneWithoutX(const Figure& figure, const Record& record) {
   std::string scene = record.scene;
   const Place place = placeOf(scene, figure.x);
   if (place.end == 0) return scene;
-  // With the comma before it, or the one after it when it is the first; the colon goes with the last.
+  // With the comma before it, or the one after it when it is the first; the colon goes with the
+  // last.
   const bool first = scene[place.begin - 1] == ':';
   const bool last = place.end >= std::min(scene.find('?'), scene.size());
   if (!first || last) return scene.erase(place.begin - 1, place.end - place.begin + 1);

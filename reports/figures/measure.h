@@ -1,11 +1,11 @@
 // Named figures of a cell, for statements and tables:
-//   time                     compared time: CPU time on software devices, else the frame's, ms
-//   cpu_ms frame_ms          medians; shadow_ms scene_ms combined_ms stamped_frame_ms from frames with
-//                            stamps between passes
-//   passes draws bytes       of a frame; passes:GLOB draws:GLOB bytes:GLOB by label
-//   visibility image         RMSE; visibility_interior away from edges; visibility_bias; flip; noise
-//   layer:N                  visibility RMSE of layer N (0: first opaque surface)
-//   region:NAME region_noise:NAME   visibility RMSE and noise of a region
+//   time                compared time: CPU time on software devices, else the frame's, ms
+//   cpu_ms frame_ms     medians
+//   shadow_ms scene_ms combined_ms stamped_frame_ms    from frames with stamps between passes
+//   passes draws bytes  of a frame; passes:GLOB draws:GLOB bytes:GLOB by label
+//   visibility image    RMSE; also visibility_interior (away from edges) visibility_bias flip noise
+//   layer:N             visibility RMSE of layer N (0: first opaque surface)
+//   region:NAME region_noise:NAME    visibility RMSE and noise of a region
 #pragma once
 
 #include <optional>

@@ -39,13 +39,14 @@ bool hasManyScenes(const Figure& figure, const std::vector<const Record*>& recor
 }
 
 FigureTable scalingTable(const Figure& figure, const Run& run) {
-  FigureTable table{.caption = "Line through each series: time at 0, and per " + figure.x,
-                    .columns = {},
-                    .rows = {}};
+  FigureTable table{
+      .caption = "Line through each series: time at " + figure.x + " = 0, and what one more costs",
+      .columns = {},
+      .rows = {}};
   for (const char* measure : kScalingMeasures) {
     const std::string title = measureTitle(measure);
     table.columns.push_back({title + " at 0"});
-    table.columns.push_back({"µs per " + figure.x});
+    table.columns.push_back({"µs each"});
   }
   table.columns.push_back({"largest " + figure.x});
   table.columns.push_back({"time there, ms"});
@@ -90,7 +91,8 @@ FigureTable layersTable(const Figure& figure, const Run& run) {
     for (const LayerError& l : r->visibilityLayers) layers.insert(l.layer);
   layers.erase(0);
   for (const uint32_t layer : layers)
-    columns.emplace_back(fmt::format("layer:{}", layer), fmt::format("layer {} from the eye", layer));
+    columns.emplace_back(fmt::format("layer:{}", layer),
+                         fmt::format("layer {} from the eye", layer));
   columns.emplace_back("visibility", "all");
   columns.emplace_back("noise", "noise");
   columns.emplace_back("image", "image RMSE");
@@ -118,15 +120,16 @@ FigureTable regionsTable(const Figure& figure, const Run& run) {
 std::string passText(const Record& r) {
   std::string out;
   for (const PassRecord& p : r.passes)
-    out += fmt::format("{}{}{}", out.empty() ? "" : ", ", p.count > 1 ? fmt::format("{} x ", p.count) : "",
-                       p.label);
+    out += fmt::format("{}{}{}", out.empty() ? "" : ", ",
+                       p.count > 1 ? fmt::format("{} x ", p.count) : "", p.label);
   return out;
 }
 
 std::string bytesText(const Record& r) {
   std::string out;
   for (const auto& [label, bytes] : r.bytesByLabel)
-    out += fmt::format("{}{} {} KiB", out.empty() ? "" : ", ", label, shortNumber(double(bytes) / 1024));
+    out += fmt::format("{}{} {} KiB", out.empty() ? "" : ", ", label,
+                       shortNumber(double(bytes) / 1024));
   return out;
 }
 
@@ -148,13 +151,14 @@ FigureTable resourcesTable(const Figure& figure, const Run& run) {
     table.rows.push_back(
         {.record = r,
          .label = labelOf(figure, *r, false),
-         .entries = {measureEntry(*r, "passes"),
-                     measureEntry(*r, "draws"),
-                     entryOf(double(r->bytes) / (1 << 20)),
-                     {passText(*r), {}},
-                     {stated.passes, {}},
-                     {bytesText(*r), {}},
-                     {stated.attachments + (stated.bytes.empty() ? "" : "; " + stated.bytes), {}}}});
+         .entries = {
+             measureEntry(*r, "passes"),
+             measureEntry(*r, "draws"),
+             entryOf(double(r->bytes) / (1 << 20)),
+             {passText(*r), {}},
+             {stated.passes, {}},
+             {bytesText(*r), {}},
+             {stated.attachments + (stated.bytes.empty() ? "" : "; " + stated.bytes), {}}}});
   }
   return table;
 }

@@ -15,7 +15,7 @@ namespace report {
 struct CurveLine {
   std::string technique, backend;
   std::string label = {};  ///< at its end, where lines of one technique and backend are several
-  std::vector<std::array<double, 2>> points;     ///< x, y; what is no number is left out
+  std::vector<std::array<double, 2>> points;      ///< x, y; what is no number is left out
   std::vector<std::array<double, 2>> limit = {};  ///< what is allowed, drawn broken
   std::optional<double> breaksAt = {};            ///< first x beyond the limit, marked
 };

@@ -59,12 +59,12 @@ std::string table(const PageModel& model, const Figure& figure) {
   std::vector<TableLine> lines;
   for (const FigureRow& row : t.rows) {
     const std::string technique = techniqueOf(*row.record);
-    TableLine line{.technique = technique,
-                   .backend = row.record->backend,
-                   .cells = {{.html = model.techniqueHtml(technique)},
-                             {.html = model.backendHtml(row.record->backend)},
-                             {.html = row.label.empty() ? "<small>default</small>"
-                                                        : escaped(row.label)}}};
+    TableLine line{
+        .technique = technique,
+        .backend = row.record->backend,
+        .cells = {{.html = model.techniqueHtml(technique)},
+                  {.html = model.backendHtml(row.record->backend)},
+                  {.html = row.label.empty() ? "<small>default</small>" : escaped(row.label)}}};
     for (const FigureEntry& e : row.entries)
       line.cells.push_back({.html = e.text == "-" ? "–" : escaped(e.text), .value = e.value});
     lines.push_back(std::move(line));
@@ -90,7 +90,8 @@ std::string plots(const Figure& figure, const Run& run, CurveSet& curves) {
                      .label = labels ? (s.label.empty() ? "default" : s.label) : "",
                      .points = {}};
       for (const Record* r : s.records)
-        if (const auto m = measured(*r, measure)) line.points.push_back({xOf(figure, *r), m->value});
+        if (const auto m = measured(*r, measure))
+          line.points.push_back({xOf(figure, *r), m->value});
       if (!line.points.empty()) curve.lines.push_back(std::move(line));
     }
     if (!curve.lines.empty())
@@ -127,8 +128,7 @@ std::string cards(const PageModel& model, const Figure& figure, PictureSet& pict
       backends += " " + model.backendHtml(other->backend);
       names.push_back(other->backend);
     }
-    out += "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") +
-           " data-backends=\"" +
+    out += "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") + " data-backends=\"" +
            escaped(names.dump(-1, ' ', true, Json::error_handler_t::replace)) + "\" data-cell=\"" +
            std::to_string(model.indexOf(r)) + "\">\n<h4>" + model.techniqueHtml(techniqueOf(r)) +
            backends + " <small>" + escaped(r.scene + (variant.empty() ? "" : " " + variant)) +
@@ -137,8 +137,9 @@ std::string cards(const PageModel& model, const Figure& figure, PictureSet& pict
                        r.image ? "image, RMSE " + report::figure(r.image->all.rmse) : "image") +
            pictureHtml(pictures.html(r, "truth", "Truth of " + r.scene), "truth, ray-traced") +
            pictureHtml(pictures.html(r, "error", "Error map of " + r.name),
-                       r.visibility ? "error, visibility RMSE " + report::figure(r.visibility->all.rmse)
-                                    : "error") +
+                       r.visibility
+                           ? "error, visibility RMSE " + report::figure(r.visibility->all.rmse)
+                           : "error") +
            "</div>\n</article>\n";
   }
   return out.empty() ? "" : "<div class=\"gallery\">\n" + out + "</div>\n";
@@ -149,9 +150,11 @@ std::string figureHtml(const PageModel& model, const Figure& figure, size_t inde
   const std::string id = "figure" + std::to_string(index);
   std::string out = "<section class=\"figure-of\" id=\"" + id + "\" aria-labelledby=\"" + id +
                     "-title\">\n<h2 id=\"" + id + "-title\"><small>" + escaped(figure.id) +
-                    "</small> " + escaped(figure.title) + "</h2>\n<p class=\"document\"><em>The "
-                    "document:</em> " + escaped(figure.document) + "</p>\n" +
-                    statements(figure, model.run) + missing(figure, model.run);
+                    "</small> " + escaped(figure.title) +
+                    "</h2>\n<p class=\"document\"><em>The "
+                    "document:</em> " +
+                    escaped(figure.document) + "</p>\n" + statements(figure, model.run) +
+                    missing(figure, model.run);
   if (figure.kind == FigureKind::Scaling) out += plots(figure, model.run, curves);
   out += table(model, figure);
   if (figure.kind != FigureKind::Scaling && figure.kind != FigureKind::Resources)

@@ -56,8 +56,9 @@ std::string detail(const PageModel& model, const StabilityRecord& r) {
   term(out, "must hold", escaped(r.property));
   if (const StabilityPoint* p = r.worst()) {
     const bool numeric = !r.parameter.empty();
-    term(out, "found", (std::isfinite(p->value) ? figure(p->value) : "no number") +
-                           (numeric ? " at " + parameterText(r, p->x) : ""));
+    term(out, "found",
+         (std::isfinite(p->value) ? figure(p->value) : "no number") +
+             (numeric ? " at " + parameterText(r, p->x) : ""));
     term(out, "allowed", figure(p->tolerance) + ": " + escaped(r.reason));
     if (numeric)
       term(out, "breaks at", r.breaksAt ? parameterText(r, *r.breaksAt) : "nowhere in range");
@@ -70,8 +71,8 @@ std::string detail(const PageModel& model, const StabilityRecord& r) {
 TableEntry entry(const PageModel& model, const Cases& of, const std::string& technique) {
   if (of.empty())
     return {.html = "<span class=\"unseen\">not asked</span>", .technique = technique};
-  const StabilityRecord* worst = *std::ranges::max_element(
-      of, {}, [](const StabilityRecord* r) { return rank(r->verdict); });
+  const StabilityRecord* worst =
+      *std::ranges::max_element(of, {}, [](const StabilityRecord* r) { return rank(r->verdict); });
   const auto same = std::ranges::count(of, worst->verdict, &StabilityRecord::verdict);
   std::string head = verdictHtml(worst->verdict);
   if (same != std::ssize(of)) head += fmt::format(" {}/{}", same, of.size());
@@ -99,10 +100,8 @@ std::string curveHtml(const PageModel& model, const Cases& of, CurveSet& curves)
               .lines = {}};
   std::string breaks;
   for (const StabilityRecord* r : of) {
-    CurveLine line{.technique = r->technique,
-                   .backend = r->backend,
-                   .points = {},
-                   .breaksAt = r->breaksAt};
+    CurveLine line{
+        .technique = r->technique, .backend = r->backend, .points = {}, .breaksAt = r->breaksAt};
     for (const StabilityPoint& p : r->curve) {
       line.points.push_back({p.x, p.value});
       line.limit.push_back({p.x, p.tolerance});
@@ -123,11 +122,12 @@ std::string curveHtml(const PageModel& model, const Cases& of, CurveSet& curves)
 std::string totals(const std::vector<StabilityRecord>& all) {
   std::map<Verdict, size_t> n;
   for (const StabilityRecord& r : all) ++n[r.verdict];
-  return fmt::format("<p>{} hard cases: {} {}, {} {} (break as their construction says), {} {}, {} "
-                     "{}.</p>\n",
-                     all.size(), n[Verdict::Pass], verdictHtml(Verdict::Pass), n[Verdict::Expected],
-                     verdictHtml(Verdict::Expected), n[Verdict::Fail], verdictHtml(Verdict::Fail),
-                     n[Verdict::Skipped], verdictHtml(Verdict::Skipped));
+  return fmt::format(
+      "<p>{} hard cases: {} {}, {} {} (break as their construction says), {} {}, {} "
+      "{}.</p>\n",
+      all.size(), n[Verdict::Pass], verdictHtml(Verdict::Pass), n[Verdict::Expected],
+      verdictHtml(Verdict::Expected), n[Verdict::Fail], verdictHtml(Verdict::Fail),
+      n[Verdict::Skipped], verdictHtml(Verdict::Skipped));
 }
 
 }  // namespace
@@ -148,8 +148,8 @@ std::string stabilityHtml(const PageModel& model, CurveSet& curves) {
   std::string plots;
   for (const std::string& id : ids) {
     const Cases& of = byCase[id];
-    TableLine line{.cells = {
-                       {.html = escaped(id) + "<small>" + escaped(of.front()->title) + "</small>"}}};
+    TableLine line{
+        .cells = {{.html = escaped(id) + "<small>" + escaped(of.front()->title) + "</small>"}}};
     Cases drawn;
     for (const std::string& t : techniques) {
       Cases cell;

@@ -1,10 +1,11 @@
 #include "suites/harness/suite.h"
 
+#include <toml++/toml.h>
+
 #include <cstdio>
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "suites/harness/builtin_suites.h"
 #include "suites/harness/suite_reader.h"
@@ -54,8 +55,7 @@ SuiteRun parseRun(const SuiteReader& reader, const toml::node& node, size_t inde
                        "sun", "materials", "motion"});
   Selection base;
   base.scenes = reader.texts(reader.need(*table, field, "scenes"), field + ".scenes");
-  base.techniques =
-      reader.texts(reader.need(*table, field, "techniques"), field + ".techniques");
+  base.techniques = reader.texts(reader.need(*table, field, "techniques"), field + ".techniques");
   if (const auto* n = table->get("backends")) base.backends = reader.texts(*n, field + ".backends");
   if (const auto* n = table->get("size")) base.size = sizeOf(reader, *n, field + ".size");
   base.edits = editsOf(reader, *table, field);
@@ -108,7 +108,8 @@ Suite parseSuite(std::string_view text, const std::string& file) {
     throw InputError(file + ":" + std::to_string(e.source().begin.line),
                      std::string(e.description()));
   }
-  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run", "stability", "figure"});
+  reader.requireKnown(root, "",
+                      {"title", "seeds", "budget", "precision", "run", "stability", "figure"});
   Suite suite{.name = file};
   if (const auto* n = root.get("title")) suite.title = reader.text(*n, "title");
   if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", 0));

@@ -108,8 +108,8 @@ Words namesOf(const std::vector<CellId>& cells, const std::string& matching) {
 
 void requireMatch(const SuiteFigure& figure, const Words& names, const std::string& what,
                   const std::string& pattern) {
-  if (std::ranges::none_of(
-          names, [&](const std::string& n) { return report::matchesRegex(pattern, n); }))
+  if (std::ranges::none_of(names,
+                           [&](const std::string& n) { return report::matchesRegex(pattern, n); }))
     throw InputError(figure.where, what + ": no cell of the figure matches '" + pattern + "'");
 }
 
@@ -132,8 +132,8 @@ double fallbackOf(const SuiteFigure& figure, const std::vector<CellId>& cells) {
 SuiteFigure parseFigure(const SuiteReader& reader, const toml::node& node, size_t index) {
   const std::string field = "figure " + std::to_string(index + 1);
   const toml::table& t = reader.table(node, field);
-  reader.requireKnown(
-      t, field, {"id", "title", "kind", "cells", "x", "document", "statement", "stated"});
+  reader.requireKnown(t, field,
+                      {"id", "title", "kind", "cells", "x", "document", "statement", "stated"});
   SuiteFigure out{.where = reader.at(node) + ": " + field, .cells = "", .figure = {}};
   report::Figure& figure = out.figure;
   figure.id = neededText(reader, t, field, "id");
@@ -143,8 +143,7 @@ SuiteFigure parseFigure(const SuiteReader& reader, const toml::node& node, size_
   for (const report::FigureKind kind : report::kFigureKinds)
     kinds.emplace_back(report::figureKindName(kind));
   const std::string kind = word(reader, reader.need(t, field, "kind"), field + ".kind", kinds);
-  figure.kind =
-      report::kFigureKinds[size_t(std::ranges::find(kinds, kind) - kinds.begin())];
+  figure.kind = report::kFigureKinds[size_t(std::ranges::find(kinds, kind) - kinds.begin())];
   if (const auto* n = t.get("cells")) out.cells = regex(reader, *n, field + ".cells");
   figure.x = figure.kind == report::FigureKind::Scaling ? neededText(reader, t, field, "x")
                                                         : textOr(reader, t, field, "x", "");

@@ -14,7 +14,7 @@
 //   right = "REGEX"                 of the right side; optional beside right_measure, right_at, and
 //   number = 1                      instead of a right side
 //   right_measure = "..."           optional: another measure
-//   at = 2000                       optional: cells with this x alone; left_at, right_at of one side
+//   at = 2000                       optional: cells with this x alone; left_at, right_at of a side
 //   relation = "less"               or more, about
 //   factor = 2                      optional: times
 //   otherwise = "..."               why it is not reproduced, when it is not
@@ -32,8 +32,8 @@
 namespace sb {
 
 struct SuiteFigure {
-  std::string where;  ///< "FILE:line: figure N", for errors
-  std::string cells;  ///< regular expression
+  std::string where;      ///< "FILE:line: figure N", for errors
+  std::string cells;      ///< regular expression
   report::Figure figure;  ///< without cells
 };
 
@@ -43,8 +43,9 @@ SuiteFigure parseFigure(const SuiteReader& reader, const toml::node& node, size_
 struct Suite;
 struct Selection;
 
-/// The figures of a suite with the names of their cells, measured or filtered out. Throws InputError
-/// for a figure or a statement that no cell belongs to, and for an x that its cells do not have.
+/// The figures of a suite with the names of their cells, measured or filtered out. Throws
+/// InputError for a figure or a statement that no cell belongs to, and for an x that its cells do
+/// not have.
 std::vector<report::Figure> suiteFigures(const Suite& suite, const Selection& over,
                                          const std::vector<std::string>& knownBackends,
                                          const std::vector<std::string>& defaultBackends);

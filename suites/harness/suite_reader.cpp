@@ -110,8 +110,7 @@ void SuiteReader::eachTable(const toml::table& table, const std::string& field, 
   if (!node) return;
   const auto* list = node->as_array();
   if (!list || list->empty())
-    fail(*node, (field.empty() ? "" : field + ".") + name,
-         "tables [[" + std::string(name) + "]]");
+    fail(*node, (field.empty() ? "" : field + ".") + name, "tables [[" + std::string(name) + "]]");
   for (size_t i = 0; i < list->size(); ++i) parse(*list->get(i), i);
 }
 

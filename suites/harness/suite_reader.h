@@ -2,10 +2,11 @@
 // what was found and what was expected.
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <functional>
 #include <optional>
 #include <string>
-#include <toml++/toml.h>
 #include <vector>
 
 namespace sb {

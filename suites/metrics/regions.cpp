@@ -18,8 +18,7 @@ Region regionOf(const float* rgb) {
   return low >= 1 - 1.0f / 255 ? Region::Lit : Region::Pale;
 }
 
-void RegionSum::add(Values measured, Values truth, std::span<const uint8_t> mask,
-                    Values variance) {
+void RegionSum::add(Values measured, Values truth, std::span<const uint8_t> mask, Values variance) {
   if (measured.size() != truth.size() || (!mask.empty() && mask.size() * 4 != truth.size()) ||
       (!variance.empty() && variance.size() != truth.size()))
     throw std::invalid_argument("pictures to compare differ in size");

@@ -1,6 +1,6 @@
 // Error and noise apart by what the truth shows on opaque surfaces: shadows of lead lines, of
-// saturated and of pale glass, and full light. Noise of stochastic techniques depends on the truth's
-// value (p (1 - p)), so one figure for a picture hides where it lies.
+// saturated and of pale glass, and full light. Noise of stochastic techniques depends on the
+// truth's value (p (1 - p)), so one figure for a picture hides where it lies.
 #pragma once
 
 #include <array>

@@ -26,10 +26,10 @@ TEST(Regions, FollowFromTheTruth) {
 
 TEST(Regions, SumErrorsAndNoiseByHand) {
   // Dark, saturated, pale, an edge, a pixel without a surface, pale.
-  const std::vector<float> truth = {0, 0, 0, 1,         1, 0, 0, 1, 0.5f, 0.5f, 0.5f, 1,
-                                    1, 1, 1, 1,         0, 0, 0, 0, 0.5f, 0.5f, 0.5f, 1};
-  const std::vector<float> measured = {0.3f, 0, 0, 1,   1, 0, 0, 1, 0.75f, 0.5f, 0.5f, 1,
-                                       0, 0, 0, 1,      9, 9, 9, 0, 0.25f, 0.5f, 0.5f, 1};
+  const std::vector<float> truth = {0, 0, 0, 1, 1, 0, 0, 1, 0.5f, 0.5f, 0.5f, 1,
+                                    1, 1, 1, 1, 0, 0, 0, 0, 0.5f, 0.5f, 0.5f, 1};
+  const std::vector<float> measured = {0.3f, 0, 0, 1, 1, 0, 0, 1, 0.75f, 0.5f, 0.5f, 1,
+                                       0,    0, 0, 1, 9, 9, 9, 0, 0.25f, 0.5f, 0.5f, 1};
   const std::vector<uint8_t> mask = {0, 0, 0, 1, 0, 0};
   std::vector<float> variance(24, 0.0f);
   variance[0] = 0.03f;                        // dark

@@ -17,25 +17,25 @@ using Results = report::Run;  // a test has a member Run
 Record cell(const std::string& technique, const std::string& backend, int quads, double ms,
             double precision = 0) {
   const std::string scene = "spheres_quads:quads=" + std::to_string(quads);
-  Record r{.name = technique + "/" + backend + "/" + scene + "/64x64",
-           .technique = technique,
-           .transparency = "Sorted",
-           .backend = backend,
-           .scene = scene,
-           .width = 64,
-           .height = 64,
-           .timeSource = "software",
-           .cpu = Distribution{.median = ms},
-           .passes = {{.label = "shadow map", .count = 2, .draws = 7},
-                      {.label = "opaque", .draws = 3}},
-           .shadowMs = ms / 4,
-           .sceneMs = ms / 2,
-           .combinedMs = ms * 3 / 4,
-           .stampedFrameMs = ms,
-           .precision = precision,
-           .passCount = 3,
-           .bytes = 3072,
-           .bytesByLabel = {{"camera colour", 1024}, {"shadow map", 2048}}};
+  Record r{
+      .name = technique + "/" + backend + "/" + scene + "/64x64",
+      .technique = technique,
+      .transparency = "Sorted",
+      .backend = backend,
+      .scene = scene,
+      .width = 64,
+      .height = 64,
+      .timeSource = "software",
+      .cpu = Distribution{.median = ms},
+      .passes = {{.label = "shadow map", .count = 2, .draws = 7}, {.label = "opaque", .draws = 3}},
+      .shadowMs = ms / 4,
+      .sceneMs = ms / 2,
+      .combinedMs = ms * 3 / 4,
+      .stampedFrameMs = ms,
+      .precision = precision,
+      .passCount = 3,
+      .bytes = 3072,
+      .bytesByLabel = {{"camera colour", 1024}, {"shadow map", 2048}}};
   return r;
 }
 
@@ -83,8 +83,7 @@ TEST(Figures, MeasuresAreNamed) {
   Record r = cell("A", "vulkan", 100, 2);
   r.visibilityLayers = {{.light = 0, .lightName = "", .layer = 2, .error = {{.rmse = 0.25}, {}}},
                         {.light = 1, .lightName = "", .layer = 2, .error = {{.rmse = 0.5}, {}}}};
-  r.visibilityRegions = {
-      {.region = "pale", .share = 1, .rmse = 0.125, .bias = 0, .noise = 0.0625}};
+  r.visibilityRegions = {{.region = "pale", .share = 1, .rmse = 0.125, .bias = 0, .noise = 0.0625}};
   const auto value = [&](const char* name) { return measured(r, name)->value; };
   EXPECT_EQ(value("time"), 2);
   EXPECT_EQ(value("combined_ms"), 1.5);
@@ -134,7 +133,7 @@ TEST(Figures, StatementsAreDecidedByTheMeasurements) {
   const StatementResult slope = evaluated(run, less("slope"));
   EXPECT_EQ(slope.verdict, FigureVerdict::Reproduced);
   EXPECT_EQ(slope.found,
-            "slope of time, ms, per quads: 0.01 < 0.02 (vulkan); 0.01 < 0.02 (opengl)");
+            "slope of time, ms, over quads: 0.01 < 0.02 (vulkan); 0.01 < 0.02 (opengl)");
   EXPECT_EQ(evaluated(run, less("intercept", 1.9)).verdict, FigureVerdict::Reproduced);
   const StatementResult fails = evaluated(run, less("slope", 2.5));
   EXPECT_EQ(fails.verdict, FigureVerdict::NotReproduced);
@@ -197,6 +196,18 @@ TEST(Figures, WhatLacksIsNamed) {
   EXPECT_EQ(missingCells(f, run).size(), 2u);
 }
 
+TEST(Figures, MeansOverDifferentCellsAreNotCompared) {
+  Results run = twoLines();
+  const Figure f = scaling(run, {});
+  run.records.erase(run.records.begin() + 4);  // A on Vulkan with the most quads
+  const StatementResult result = evaluate(f, less("value"), run);
+  EXPECT_EQ(result.verdict, FigureVerdict::Reproduced);
+  EXPECT_EQ(result.found, "time, ms: 2 < 4 (opengl)");
+  std::erase_if(run.records, [](const Record& r) { return r.backend == "opengl"; });
+  EXPECT_EQ(evaluate(f, less("value"), run).why,
+            "A/vulkan/spheres_quads:quads=200/64x64 is not in this run");
+}
+
 TEST(Figures, SeriesGoOverXAndTablesFitThem) {
   Results run = twoLines();
   std::swap(run.records[0], run.records[4]);
@@ -232,10 +243,9 @@ TEST(Figures, AreReadBackWholeAndShownWithoutTheSuite) {
   EXPECT_EQ(toJson(back), json);
   EXPECT_EQ(figuresText(back), figuresText(run));
   const std::string text = figuresText(back);
-  for (const char* part :
-       {"Figure 5.3 <A>: Scaling", "  reproduced      A is less than B",
-        "  NOT reproduced  A is less than B", "because software tells otherwise",
-        "missing: C/vulkan/spheres_quads/64x64: not in this run"})
+  for (const char* part : {"Figure 5.3 <A>: Scaling", "  reproduced      A is less than B",
+                           "  NOT reproduced  A is less than B", "because software tells otherwise",
+                           "missing: C/vulkan/spheres_quads/64x64: not in this run"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   const std::string page = toHtml(back, {});
   for (const char* part : {"5.3 &lt;A&gt;", "It says &lt;so&gt;.", "✓</span> reproduced",

@@ -112,9 +112,9 @@ async function drawLines(container, curve, lines, width, height) {
     ],
     axes: [
       lineAxis('bottom', curve.xTitle, logX
-        ? tickLabels(decadeTicks(xs)) : { tickCount: Math.floor(width / 70), format: '~g' }),
+        ? tickLabels(decadeTicks(xs)) : { tickCount: Math.floor(width / 70) }),
       lineAxis('left', curve.yTitle, values.constant
-        ? tickLabels(wideTicks(values, height)) : { tickCount: 5, format: '~g' }),
+        ? tickLabels(wideTicks(values, height)) : { tickCount: 5 }),
     ],
     marks: lineMarks(),
   };
