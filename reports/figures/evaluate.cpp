@@ -100,24 +100,42 @@ std::string subject(const Figure& figure, const FigureStatement& s) {
   return out;
 }
 
-/// Why a side has no value, by the first of its cells that lacks one.
+std::vector<std::string> backendsOf(const Records& records) {
+  std::vector<std::string> out;
+  for (const Record* r : records)
+    if (!std::ranges::count(out, r->backend)) out.push_back(r->backend);
+  return out;
+}
+
+/// Why a cell gives no value to a side; "" when it does.
+std::string whyLacking(const std::string& name, const FigureSide& side, const Run& run) {
+  const auto found = std::ranges::find(run.records, name, &Record::name);
+  if (found == run.records.end()) return name + " is not in this run";
+  if (found->status != Status::Ok)
+    return name + ": " + std::string(statusName(found->status)) + ", " + found->reason;
+  if (measured(*found, side.measure)) return "";
+  if (isTime(side.measure) && !found->contamination.empty())
+    return name + " is contaminated: " + found->contamination.front();
+  const std::string why = whyOf(*found, side.measure);
+  return name + " has no " + measureTitle(side.measure) + (why.empty() ? "" : ": " + why);
+}
+
+/// Why no side has a value: the first cell that lacks one, of a backend that was measured if there
+/// is any.
 std::string whyLacking(const Figure& figure, const FigureStatement& s, const Run& run) {
-  for (const FigureSide* side : {&s.left, &s.right}) {
-    if (side == &s.right && s.number) break;
-    const std::string& cells = side->cells.empty() ? s.left.cells : side->cells;
-    for (const std::string& name : figure.cells) {
-      if (!matchesRegex(cells, name)) continue;
-      const auto found = std::ranges::find(run.records, name, &Record::name);
-      if (found == run.records.end()) return name + " is not in this run";
-      if (found->status != Status::Ok)
-        return name + ": " + std::string(statusName(found->status)) + ", " + found->reason;
-      if (measured(*found, side->measure)) continue;
-      if (isTime(side->measure) && !found->contamination.empty())
-        return name + " is contaminated: " + found->contamination.front();
-      const std::string why = whyOf(*found, side->measure);
-      return name + " has no " + measureTitle(side->measure) + (why.empty() ? "" : ": " + why);
+  std::vector<std::string> parts;
+  for (const std::string& backend : backendsOf(recordsOf(figure, run)))
+    parts.push_back("/" + backend + "/");
+  parts.emplace_back();
+  for (const std::string& part : parts)
+    for (const FigureSide* side : {&s.left, &s.right}) {
+      if (side == &s.right && s.number) break;
+      const std::string& cells = side->cells.empty() ? s.left.cells : side->cells;
+      for (const std::string& name : figure.cells) {
+        if (name.find(part) == name.npos || !matchesRegex(cells, name)) continue;
+        if (std::string why = whyLacking(name, *side, run); !why.empty()) return why;
+      }
     }
-  }
   return "the cells have too few values";
 }
 
@@ -195,12 +213,9 @@ bool matchesRegex(const std::string& regex, const std::string& name) {
 
 StatementResult evaluate(const Figure& figure, const FigureStatement& s, const Run& run) {
   const Records all = recordsOf(figure, run);
-  std::vector<std::string> backends;
-  for (const Record* r : all)
-    if (!std::ranges::count(backends, r->backend)) backends.push_back(r->backend);
   std::string found;
   bool fails = false, undecided = false, any = false;
-  for (const std::string& backend : backends) {
+  for (const std::string& backend : backendsOf(all)) {
     const Found on = evaluateOn(figure, s, backend, all);
     if (!on.outcome) continue;
     any = true;

@@ -206,6 +206,11 @@ TEST(Figures, MeansOverDifferentCellsAreNotCompared) {
   std::erase_if(run.records, [](const Record& r) { return r.backend == "opengl"; });
   EXPECT_EQ(evaluate(f, less("value"), run).why,
             "A/vulkan/spheres_quads:quads=200/64x64 is not in this run");
+  // Of a backend that was not measured nothing is said while there is another.
+  run.records.push_back(cell("A", "vulkan", 200, 3));
+  run.records.erase(run.records.begin() + 1);
+  EXPECT_EQ(evaluate(f, less("value"), run).why,
+            "B/vulkan/spheres_quads:quads=0/64x64 is not in this run");
 }
 
 TEST(Figures, SeriesGoOverXAndTablesFitThem) {
