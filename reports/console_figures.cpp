@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/table.h"
 #include "reports/record_view.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 
 namespace report {

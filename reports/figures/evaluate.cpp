@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <set>
 
+#include "reports/figures/cells.h"
 #include "reports/figures/measure.h"
-#include "reports/record_view.h"
 #include "reports/stats/regression.h"
 
 namespace report {
@@ -100,45 +99,6 @@ std::string subject(const Figure& figure, const FigureStatement& s) {
   return out;
 }
 
-std::vector<std::string> backendsOf(const Records& records) {
-  std::vector<std::string> out;
-  for (const Record* r : records)
-    if (!std::ranges::count(out, r->backend)) out.push_back(r->backend);
-  return out;
-}
-
-/// Why a cell gives no value to a side; "" when it does.
-std::string whyLacking(const std::string& name, const FigureSide& side, const Run& run) {
-  const auto found = std::ranges::find(run.records, name, &Record::name);
-  if (found == run.records.end()) return name + " is not in this run";
-  if (found->status != Status::Ok)
-    return name + ": " + std::string(statusName(found->status)) + ", " + found->reason;
-  if (measured(*found, side.measure)) return "";
-  if (isTime(side.measure) && !found->contamination.empty())
-    return name + " is contaminated: " + found->contamination.front();
-  const std::string why = whyOf(*found, side.measure);
-  return name + " has no " + measureTitle(side.measure) + (why.empty() ? "" : ": " + why);
-}
-
-/// Why no side has a value: the first cell that lacks one, of a backend that was measured if there
-/// is any.
-std::string whyLacking(const Figure& figure, const FigureStatement& s, const Run& run) {
-  std::vector<std::string> parts;
-  for (const std::string& backend : backendsOf(recordsOf(figure, run)))
-    parts.push_back("/" + backend + "/");
-  parts.emplace_back();
-  for (const std::string& part : parts)
-    for (const FigureSide* side : {&s.left, &s.right}) {
-      if (side == &s.right && s.number) break;
-      const std::string& cells = side->cells.empty() ? s.left.cells : side->cells;
-      for (const std::string& name : figure.cells) {
-        if (name.find(part) == name.npos || !matchesRegex(cells, name)) continue;
-        if (std::string why = whyLacking(name, *side, run); !why.empty()) return why;
-      }
-    }
-  return "the cells have too few values";
-}
-
 struct Found {
   std::optional<Outcome> outcome;
   std::string text;
@@ -203,14 +163,6 @@ std::string_view verdictName(FigureVerdict verdict) {
   return "";
 }
 
-bool matchesRegex(const std::string& regex, const std::string& name) {
-  try {
-    return std::regex_search(name, std::regex(regex));
-  } catch (const std::regex_error&) {
-    return false;  // of a file from elsewhere: nothing matches
-  }
-}
-
 StatementResult evaluate(const Figure& figure, const FigureStatement& s, const Run& run) {
   const Records all = recordsOf(figure, run);
   std::string found;
@@ -232,26 +184,6 @@ StatementResult evaluate(const Figure& figure, const FigureStatement& s, const R
   if (result.verdict == FigureVerdict::Undecided)
     result.why = "the 95 % intervals overlap; a larger --budget narrows them";
   return result;
-}
-
-std::vector<const Record*> recordsOf(const Figure& figure, const Run& run) {
-  const std::set<std::string> names(figure.cells.begin(), figure.cells.end());
-  Records out;
-  for (const Record& r : run.records)
-    if (names.contains(r.name)) out.push_back(&r);
-  return out;
-}
-
-std::vector<std::string> missingCells(const Figure& figure, const Run& run) {
-  std::vector<std::string> out;
-  for (const std::string& name : figure.cells) {
-    const auto found = std::ranges::find(run.records, name, &Record::name);
-    if (found == run.records.end())
-      out.push_back(name + ": not in this run");
-    else if (found->status != Status::Ok)
-      out.push_back(name + ": " + std::string(statusName(found->status)) + ", " + found->reason);
-  }
-  return out;
 }
 
 std::optional<LineFit> fitLine(const std::vector<std::pair<double, double>>& points) {

@@ -22,11 +22,6 @@ struct StatementResult {
 
 StatementResult evaluate(const Figure& figure, const FigureStatement& statement, const Run& run);
 
-/// Records of the figure's cells, in the figure's order.
-std::vector<const Record*> recordsOf(const Figure& figure, const Run& run);
-/// Cells of the figure that the run has no result of, each with the reason: "NAME: failed, ...".
-std::vector<std::string> missingCells(const Figure& figure, const Run& run);
-
 /// Value with an interval's half width of a line through points (x, y): at x = 0, and per x.
 struct LineFit {
   double slope = 0, slopeHalf = 0;
@@ -34,9 +29,6 @@ struct LineFit {
 };
 /// Nothing with fewer than two different x.
 std::optional<LineFit> fitLine(const std::vector<std::pair<double, double>>& points);
-
-/// Finds `regex` within the name; what is no regular expression is found nowhere.
-bool matchesRegex(const std::string& regex, const std::string& name);
 
 /// Three digits; as short as they allow.
 std::string shortNumber(double value);

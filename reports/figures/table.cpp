@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/measure.h"
 #include "reports/record_view.h"

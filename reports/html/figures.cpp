@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/measure.h"
 #include "reports/figures/table.h"

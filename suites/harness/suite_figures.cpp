@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "reports/figures/evaluate.h"
+#include "reports/figures/cells.h"
 #include "reports/figures/measure.h"
 #include "suites/harness/suite.h"
 #include "suites/scenes/procedural.h"

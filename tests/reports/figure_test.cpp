@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/console_figures.h"
+#include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/measure.h"
 #include "reports/figures/table.h"
