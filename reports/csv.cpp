@@ -94,10 +94,25 @@ void addError(std::vector<Column>& columns, const std::string& name,
   add("over_1_255", [](const ErrorStats& e) { return e.over1; });
 }
 
+void addRegion(std::vector<Column>& columns, const std::string& region) {
+  auto add = [&](const char* part, auto pick) {
+    columns.push_back({"visibility_regions_" + region + "_" + part, [region, pick](const Record& r) {
+                         for (const RegionError& e : r.visibilityRegions)
+                           if (e.region == region) return optionalNumber(pick(e));
+                         return std::string();
+                       }});
+  };
+  add("share", [](const RegionError& e) { return std::optional(e.share); });
+  add("rmse", [](const RegionError& e) { return std::optional(e.rmse); });
+  add("bias", [](const RegionError& e) { return std::optional(e.bias); });
+  add("noise", [](const RegionError& e) { return e.noise; });
+}
+
 void addErrors(std::vector<Column>& c) {
   addError(c, "visibility", [](const Record& r) { return r.visibility ? &r.visibility->all : nullptr; });
   addError(c, "visibility_interior",
            [](const Record& r) { return r.visibility ? &r.visibility->interior : nullptr; });
+  for (const char* region : {"dark", "saturated", "pale", "lit"}) addRegion(c, region);
   addError(c, "image", [](const Record& r) { return r.image ? &r.image->all : nullptr; });
   addError(c, "image_interior",
            [](const Record& r) { return r.image ? &r.image->interior : nullptr; });

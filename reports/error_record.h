@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,16 @@ struct LayerError {
   std::string lightName;
   uint32_t layer = 0;  ///< 0: first opaque surface; 1..4: layers from the eye
   VisibilityError error;
+};
+
+/// Visibility error over the first opaque surfaces of one kind, by the truth's visibility there and
+/// away from its edges.
+struct RegionError {
+  std::string region;  ///< "dark", "saturated", "pale" or "lit"
+  double share = 0;    ///< of the pixels of all regions
+  double rmse = 0;
+  double bias = 0;
+  std::optional<double> noise;  ///< as NoiseRecord::noise; stochastic techniques only
 };
 
 struct ImageError {

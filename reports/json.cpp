@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "reports/json_error.h"
+#include "reports/json_figure.h"
 #include "reports/json_stability.h"
 #include "reports/stats/stats.h"
 
@@ -189,6 +190,7 @@ std::string toJson(const Run& run) {
   for (const Record& r : run.records) appendCell(benchmarks, r);
   Json out = {{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}};
   for (const StabilityRecord& r : run.stability) out["stability"].push_back(stabilityToJson(r));
+  for (const Figure& f : run.figures) out["figures"].push_back(figureToJson(f, run));
   return out.dump(2) + "\n";
 }
 

@@ -74,6 +74,13 @@ void putErrors(Json& out, const Record& r) {
     layer.update(toJson(l.error));
     out["visibility_layers"].push_back(std::move(layer));
   }
+  out["visibility_regions"] = Json::array();
+  for (const RegionError& e : r.visibilityRegions) {
+    Json region = {{"region", e.region}, {"share", e.share}, {"rmse", e.rmse}, {"bias", e.bias}};
+    region["noise"] = e.noise ? Json(*e.noise) : Json(nullptr);
+    putWhy(region, r, "noise", !e.noise);
+    out["visibility_regions"].push_back(std::move(region));
+  }
   put(out, r, "image", r.image);
   put(out, r, "noise", r.noise);
   put(out, r, "certificate", r.certificate);

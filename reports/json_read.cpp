@@ -4,8 +4,9 @@
 #include <array>
 
 #include "reports/json_field.h"
-#include "reports/json_stability.h"
+#include "reports/json_figure.h"
 #include "reports/json_read_error.h"
+#include "reports/json_stability.h"
 
 namespace report {
 namespace {
@@ -217,6 +218,8 @@ Run fromJson(const std::string& text, const std::string& fileName) {
   run.records = readRecords(root.at("benchmarks"));
   if (const auto cases = root.find("stability"))
     for (const Field& field : cases->items()) run.stability.push_back(readStability(field));
+  if (const auto figures = root.find("figures"))
+    for (const Field& field : figures->items()) run.figures.push_back(readFigure(field));
   return run;
 }
 

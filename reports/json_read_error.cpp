@@ -78,12 +78,24 @@ LayerError readLayer(const Field& f) {
           .error = readVisibility(f)};
 }
 
+RegionError readRegionError(const Field& f) {
+  RegionError out{.region = f.at("region").text(),
+                  .share = f.at("share").number(),
+                  .rmse = f.at("rmse").number(),
+                  .bias = f.at("bias").number(),
+                  .noise = {}};
+  if (auto noise = f.find("noise")) out.noise = noise->number();
+  return out;
+}
+
 }  // namespace
 
 void readErrors(const Field& entry, Record& r) {
   if (auto f = entry.find("visibility")) r.visibility = readVisibility(*f);
   if (auto f = entry.find("visibility_layers"))
     for (const Field& layer : f->items()) r.visibilityLayers.push_back(readLayer(layer));
+  if (auto f = entry.find("visibility_regions"))
+    for (const Field& region : f->items()) r.visibilityRegions.push_back(readRegionError(region));
   if (auto f = entry.find("image")) r.image = readImage(*f);
   if (auto f = entry.find("noise")) r.noise = readNoise(*f);
   if (auto f = entry.find("certificate")) r.certificate = readCertificate(*f);

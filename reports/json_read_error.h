@@ -5,8 +5,8 @@
 
 namespace report {
 
-/// visibility, visibility_layers, image, noise, certificate, blame, truth_stderr; each may be
-/// missing.
+/// visibility, visibility_layers, visibility_regions, image, noise, certificate, blame,
+/// truth_stderr; each may be missing.
 void readErrors(const Field& entry, Record& record);
 
 }  // namespace report

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reports/error_record.h"
+#include "reports/figure.h"
 #include "reports/stability_record.h"
 
 namespace report {
@@ -94,6 +95,7 @@ struct Record {
   // error against the truth, of the very frame that was verified
   std::optional<VisibilityError> visibility;  ///< over all lights and layers
   std::vector<LayerError> visibilityLayers;
+  std::vector<RegionError> visibilityRegions;
   std::optional<ImageError> image;
   std::optional<NoiseRecord> noise;           ///< stochastic techniques only
   std::optional<Certificate> certificate;     ///< stochastic techniques only
@@ -130,6 +132,7 @@ struct Run {
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;
   std::vector<StabilityRecord> stability;  ///< hard cases
+  std::vector<Figure> figures;             ///< what the suite shows again of a document
 };
 
 /// Fills everything but `records` and `warnings` from this machine.

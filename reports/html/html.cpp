@@ -50,11 +50,14 @@ std::filesystem::path picturesBeside(const std::filesystem::path& json) {
 std::string toHtml(const Run& run, const HtmlSettings& settings) {
   const PageModel model(run);
   PictureSet pictures(settings.pictures);
-  std::string scenes = summaryHtml(model);
+  CurveSet curves;
+  std::string scenes = figuresHtml(model, pictures, curves);
+  scenes += summaryHtml(model);
+  scenes += stabilityHtml(model, curves);
   for (const ScenePart& part : model.parts) scenes += sceneHtml(model, part, settings, pictures);
   // Notes and data know only now which pictures there are.
   const std::string overview = overviewHtml(model, pictures.notes());
-  const std::string filters = filtersHtml(model), data = pageData(model, pictures);
+  const std::string filters = filtersHtml(model), data = pageData(model, pictures, curves);
   const std::string name = escaped(title(run)), rules = policy();
   const std::string footer =
       "<p>Written by ShadowBench " + escaped(run.version) +

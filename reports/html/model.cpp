@@ -18,37 +18,6 @@ size_t placeIn(const std::vector<std::string>& list, const std::string& name) {
 
 }  // namespace
 
-std::string techniqueOf(const Record& r) {
-  const std::string full = r.technique + "+" + r.transparency;
-  return r.name.starts_with(full + "/") ? full : r.technique;
-}
-
-std::string variantOf(const Record& r) {
-  // TECHNIQUE/backend/scene[/knob:value...]/WxH; a scene may hold slashes itself.
-  const std::string head = techniqueOf(r) + "/" + r.backend + "/" + r.scene + "/";
-  if (!r.name.starts_with(head)) return "";
-  std::string rest = r.name.substr(head.size());
-  const size_t size = rest.rfind('/');
-  if (size == std::string::npos) return "";
-  rest.resize(size);
-  std::ranges::replace(rest, '/', ' ');
-  return rest;
-}
-
-std::string timeKeyOf(const Record& r) {
-  if (r.timeSource.empty()) return "";
-  return r.timeSource == "software" ? "cpu_ms" : "frame_ms";
-}
-
-const std::optional<Distribution>& comparedTime(const Record& r) {
-  return timeKeyOf(r) == "cpu_ms" ? r.cpu : r.frame;
-}
-
-std::string whyOf(const Record& r, const std::string& key) {
-  const auto found = r.why.find(key);
-  return found == r.why.end() ? "" : found->second;
-}
-
 std::string ScenePart::title() const {
   return scene + ", " + std::to_string(width) + "×" + std::to_string(height);
 }
@@ -82,6 +51,10 @@ PageModel::PageModel(const Run& r)
     addOnce(backends, record.backend);
     addOnce(scenes, record.scene);
     partOf(record).cells.push_back(indexOf(record));
+  }
+  for (const StabilityRecord& r : run.stability) {
+    addOnce(techniques, r.technique);
+    addOnce(backends, r.backend);
   }
   for (ScenePart& part : parts)
     if (part.timeKey.empty()) part.timeKey = timeKeyOf(run.records[part.cells.front()]);

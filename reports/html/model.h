@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/record.h"
+#include "reports/record_view.h"
 #include "reports/stats/tradeoff.h"
 
 namespace report {
@@ -43,15 +43,5 @@ struct PageModel {
   std::string techniqueHtml(const std::string& technique) const;
   std::string backendHtml(const std::string& backend) const;
 };
-
-/// "CSSM2" or "CSSM2+Sorted": as cells are named.
-std::string techniqueOf(const Record& r);
-/// "kernel:9 size:512": what sets this cell apart from others of its technique; "" at its defaults.
-std::string variantOf(const Record& r);
-/// The time that cells are compared by: CPU time on software devices, else the frame's.
-std::string timeKeyOf(const Record& r);
-const std::optional<Distribution>& comparedTime(const Record& r);
-/// The record's word on why a value is absent; "" when there is none.
-std::string whyOf(const Record& r, const std::string& key);
 
 }  // namespace report

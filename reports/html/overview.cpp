@@ -75,7 +75,8 @@ std::string notices(const PageModel& model, const Names& notes) {
     out += notice("serious",
                   "<strong>Validation was on.</strong> It costs time; such cells are in "
                   "no ratio and no plot.");
-  if (run.records.empty()) out += notice("serious", "<strong>The run has no cells.</strong>");
+  if (run.records.empty() && run.stability.empty())
+    out += notice("serious", "<strong>The run has no cells.</strong>");
   out += failed.html("serious", "failed");
   out += contaminated.html("serious", "contaminated, in no ratio and no plot");
   out += skipped.html("mild", "skipped");
@@ -122,12 +123,12 @@ std::string facts(const PageModel& model) {
   std::string out = "<dl class=\"facts\">\n";
   fact(out, "Devices", list(devices));
   fact(out, "Machine", machine(run));
-  fact(out, "Cells",
-       fmt::format("{} of {} measured", ok, run.records.size()) +
-           (byBudget ? fmt::format("; {} stopped by the budget before the precision "
-                                   "asked for",
-                                   byBudget)
-                     : ""));
+  if (!run.records.empty())
+    fact(out, "Cells",
+         fmt::format("{} of {} measured", ok, run.records.size()) +
+             (byBudget ? fmt::format("; {} stopped by the budget before the precision asked for",
+                                     byBudget)
+                       : ""));
   fact(out, sizes.size() == 1 ? "Size" : "Sizes", list(sizes));
   fact(out, seeds.size() == 1 ? "Seed" : "Seeds", list(seeds));
   fact(out, "Version",
@@ -149,7 +150,11 @@ std::string overviewHtml(const PageModel& model, const Names& notes) {
   std::string out =
       "<p class=\"eyebrow\">ShadowBench report</p>\n<h1>What shadows cost, and how wrong they "
       "are</h1>\n" +
-      notices(model, notes) + facts(model) + "<nav aria-label=\"Scenes\"><ul>\n";
+      notices(model, notes) + facts(model) + "<nav aria-label=\"Parts\"><ul>\n";
+  for (size_t i = 0; i < model.run.figures.size(); ++i)
+    out += "<li><a href=\"#figure" + std::to_string(i) + "\">Figure " +
+           escaped(model.run.figures[i].id) + "</a></li>\n";
+  if (!model.run.stability.empty()) out += "<li><a href=\"#stability\">Hard cases</a></li>\n";
   for (const ScenePart& part : model.parts)
     out += "<li data-scene=\"" + escaped(part.scene) + "\"><a href=\"#" + part.id + "\">" +
            escaped(part.title()) + "</a></li>\n";
@@ -157,6 +162,7 @@ std::string overviewHtml(const PageModel& model, const Names& notes) {
 }
 
 std::string filtersHtml(const PageModel& model) {
+  const std::string noCells = model.run.records.empty() ? " hidden" : "";
   std::string out =
       "<form class=\"filters\" id=\"filters\" aria-label=\"What is shown\" hidden>\n"
       "<fieldset><legend>Technique</legend>\n";
@@ -165,15 +171,15 @@ std::string filtersHtml(const PageModel& model) {
   out += "</fieldset>\n<fieldset><legend>Backend</legend>\n";
   for (const std::string& b : model.backends) out += choice("backend", b, model.backendHtml(b));
   out +=
-      "</fieldset>\n<fieldset><legend>Error</legend>\n"
+      "</fieldset>\n<fieldset" + noCells + "><legend>Error</legend>\n"
       "<label><input type=\"radio\" name=\"kind\" value=\"visibility\" checked>visibility</label>\n"
       "<label><input type=\"radio\" name=\"kind\" value=\"image\">image</label>\n</fieldset>\n"
-      "<label class=\"scene-choice\">Scene <select name=\"scene\"><option value=\"\">all</option>";
+      "<label class=\"scene-choice\"" + noCells + ">Scene <select name=\"scene\"><option value=\"\">all</option>";
   for (const std::string& s : model.scenes)
     out += "<option value=\"" + escaped(s) + "\">" + escaped(s) + "</option>";
   return out +
          "</select></label>\n<button type=\"reset\">Show all</button>\n"
-         "<output id=\"shown\" aria-live=\"polite\"></output>\n</form>";
+         "<output id=\"shown\"" + noCells + " aria-live=\"polite\"></output>\n</form>";
 }
 
 }  // namespace report

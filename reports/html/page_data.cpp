@@ -107,7 +107,7 @@ Json frontsJson(const PageModel& model, const std::vector<const TradeOff*>& all)
 
 }  // namespace
 
-std::string pageData(const PageModel& model, const PictureSet& pictures) {
+std::string pageData(const PageModel& model, const PictureSet& pictures, const CurveSet& curves) {
   Json cells = Json::object(), parts = Json::array();
   for (const ScenePart& part : model.parts) {
     for (size_t index : part.cells)
@@ -123,7 +123,9 @@ std::string pageData(const PageModel& model, const PictureSet& pictures) {
                       {{"visibility", frontsJson(model, part.visibility)},
                        {"image", frontsJson(model, part.image)}}}});
   }
-  return scriptJson({{"cells", std::move(cells)}, {"parts", std::move(parts)}});
+  return scriptJson({{"cells", std::move(cells)},
+                     {"parts", std::move(parts)},
+                     {"curves", curves.json(model)}});
 }
 
 }  // namespace report

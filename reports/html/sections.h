@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "reports/html/curve_set.h"
 #include "reports/html/html.h"
 #include "reports/html/model.h"
 #include "reports/html/picture_set.h"
@@ -17,6 +18,10 @@ std::string filtersHtml(const PageModel& model);
 
 /// What one time buys in every scene; "" for a single scene.
 std::string summaryHtml(const PageModel& model);
+/// Figures of the suite's document, each with its verdicts; "" without any.
+std::string figuresHtml(const PageModel& model, PictureSet& pictures, CurveSet& curves);
+/// Hard cases: verdicts and curves; "" without any.
+std::string stabilityHtml(const PageModel& model, CurveSet& curves);
 /// One scene: plot, tables, bars, pictures.
 std::string sceneHtml(const PageModel& model, const ScenePart& part, const HtmlSettings& settings,
                       PictureSet& pictures);
@@ -32,7 +37,7 @@ std::string galleryHtml(const PageModel& model, const ScenePart& part, const Htm
                         PictureSet& pictures);
 
 /// What plots and details are made from, for the script.
-std::string pageData(const PageModel& model, const PictureSet& pictures);
+std::string pageData(const PageModel& model, const PictureSet& pictures, const CurveSet& curves);
 
 /// The cell's point among the trade-offs; null when it has none.
 const TradePoint* pointOf(const std::vector<const TradeOff*>& tradeOffs, const Record& record);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/console.h"
+#include "reports/console_figures.h"
 #include "reports/console_stability.h"
 #include "reports/console_tradeoff.h"
 #include "suites/cli/commands.h"
@@ -150,6 +151,7 @@ int measureCommand(const Options& given) {
   } else {
     const Suite suite = loadSuite(options.suite);
     cells = suiteCells(suite, selection, platform.names(), defaultBackends(options));
+    run.figures = suiteFigures(suite, selection, platform.names(), defaultBackends(options));
     jobs = stabilityJobs(suite, selection, defaultBackends(options));
     if (cells.empty() && jobs.empty())
       throw InputError("--filter", "'" + selection.filter + "' matches nothing of the suite");
@@ -180,7 +182,8 @@ int measureCommand(const Options& given) {
     std::printf("%s", report::toTable(run).c_str());
     if (isSweep(run)) std::printf("\n%s", report::toTable(report::tradeOffs(run)).c_str());
   }
-  if (!options.benchmark.display) std::printf("%s", report::toTable(run.stability).c_str());
+  if (!options.benchmark.display)
+    std::printf("%s%s", report::figuresText(run).c_str(), report::toTable(run.stability).c_str());
   runBenchmarks(options.benchmark, run.records);
   return exitCode(run, asked);
 }

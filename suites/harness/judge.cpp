@@ -6,6 +6,7 @@
 #include "suites/harness/verify.h"
 #include "suites/metrics/error.h"
 #include "suites/metrics/error_map.h"
+#include "suites/metrics/regions.h"
 #include "suites/truth/truth_cache.h"
 #include "techniques/common/registry.h"
 
@@ -121,6 +122,7 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
     for (const char* key : {"noise", "certificate"}) record.why[key] = "one seed alone was asked for";
   else
     moments = judgeSeeds(*renderer, id.seed, answers, record);
+  judgeRegions(answers, moments, record);
   blame(*renderer, answers, moments, record, files);
 }
 
@@ -144,6 +146,19 @@ void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& 
     record.visibility = report::VisibilityError{all.stats(), interior.stats()};
   else
     record.why["visibility"] = "no lit surface is in the picture";
+}
+
+void Judge::judgeRegions(const std::vector<Answer>& answers,
+                         const std::vector<std::vector<SeedMoments>>& moments,
+                         report::Record& record) const {
+  RegionSum sum;
+  for (size_t i = 0; i < answers.size(); ++i) {
+    const std::vector<float> variance =
+        moments.empty() ? std::vector<float>() : moments[i][0].variance();
+    sum.add(answers[i].layers[0], truthAt(answers[i].light, 0), edgesAt(answers[i].light, 0),
+            variance);
+  }
+  record.visibilityRegions = sum.regions();
 }
 
 ValueRange Judge::truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,

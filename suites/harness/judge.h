@@ -55,6 +55,10 @@ class Judge {
   std::vector<std::vector<SeedMoments>> judgeSeeds(Renderer& renderer, uint32_t seed,
                                                    const std::vector<Answer>& answers,
                                                    report::Record& record);
+  /// Regions of the first opaque surfaces; noise where there are moments.
+  void judgeRegions(const std::vector<Answer>& answers,
+                    const std::vector<std::vector<SeedMoments>>& moments,
+                    report::Record& record) const;
   report::NoiseRecord noiseOf(const std::vector<Answer>& answers,
                               const std::vector<std::vector<SeedMoments>>& moments) const;
   /// Least and greatest truth as far as a lookup reaches and in the pixels beside.

@@ -1,128 +1,21 @@
 #include "suites/harness/suite.h"
 
-#include <algorithm>
-#include <cmath>
+#include <toml++/toml.h>
+
 #include <cstdio>
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "suites/harness/builtin_suites.h"
+#include "suites/harness/suite_reader.h"
+#include "suites/scenes/scene_edit.h"
 #include "techniques/common/error.h"
 
 namespace sb {
 namespace {
 
-using Values = std::vector<std::string>;
-
-/// Reads fields of one file; errors name file, line and field.
-class Reader {
- public:
-  explicit Reader(std::string file) : m_file(std::move(file)) {}
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& field,
-                         const std::string& expected) const {
-    std::ostringstream found;
-    node.visit([&](const auto& value) { found << toml::node_view<const toml::node>(value); });
-    throw InputError(at(node) + ": " + field, "found " + found.str() + ", expected " + expected);
-  }
-
-  std::string at(const toml::node& node) const {
-    return m_file + ":" + std::to_string(node.source().begin.line);
-  }
-
-  void requireKnown(const toml::table& table, const std::string& field, const Values& known) const {
-    for (const auto& [key, node] : table)
-      if (std::ranges::find(known, key.str()) == known.end())
-        throw InputError(at(node) + (field.empty() ? "" : ": " + field),
-                         unknownName("field", key.str(), known));
-  }
-
-  std::string text(const toml::node& node, const std::string& field) const {
-    if (const auto* s = node.as_string()) return s->get();
-    fail(node, field, "a text");
-  }
-
-  double number(const toml::node& node, const std::string& field, double low) const {
-    const auto value = node.value<double>();
-    if (!value || !(*value > low) || !std::isfinite(*value)) {
-      char least[32];
-      std::snprintf(least, sizeof least, "%g", low);
-      fail(node, field, std::string("a number above ") + least);
-    }
-    return *value;
-  }
-
-  /// A knob's value: a text or a number.
-  std::string value(const toml::node& node, const std::string& field) const {
-    if (const auto* s = node.as_string()) return s->get();
-    if (const auto* i = node.as_integer()) return std::to_string(i->get());
-    if (const auto* f = node.as_floating_point()) {
-      char shortest[32];
-      std::snprintf(shortest, sizeof shortest, "%.9g", f->get());
-      return shortest;
-    }
-    fail(node, field, "a number or a text");
-  }
-
-  template <class Read>
-  Values list(const toml::node& node, const std::string& field, const Read& read) const {
-    const auto* array = node.as_array();
-    if (!array || array->empty()) fail(node, field, "a list with at least one entry");
-    Values values;
-    for (const toml::node& item : *array) values.push_back(read(item, field));
-    return values;
-  }
-  Values texts(const toml::node& node, const std::string& field) const {
-    return list(node, field, [&](auto& n, auto& f) { return text(n, f); });
-  }
-  Values values(const toml::node& node, const std::string& field) const {
-    return list(node, field, [&](auto& n, auto& f) { return value(n, f); });
-  }
-
-  /// "knob=v1,v2" of every entry of a table of knobs.
-  Values sets(const toml::table& run, const char* key, const std::string& field,
-              bool isList) const {
-    Values sets;
-    const toml::node* node = run.get(key);
-    if (!node) return sets;
-    const auto* table = node->as_table();
-    if (!table) fail(*node, field + "." + key, "a table of knobs");
-    for (const auto& [knob, entry] : *table) {
-      const std::string where = field + "." + key + "." + std::string(knob.str());
-      std::string joined;
-      for (const std::string& v : isList ? values(entry, where) : Values{value(entry, where)})
-        joined += (joined.empty() ? "" : ",") + v;
-      sets.push_back(std::string(knob.str()) + "=" + joined);
-    }
-    return sets;
-  }
-
-  /// One set of knobs for each value of each entry of `sweep`, or one alone, all with those of
-  /// `set`.
-  std::vector<std::map<std::string, std::string>> variants(const toml::table& run,
-                                                           const std::string& field) const {
-    std::map<std::string, std::string> fixed;
-    for (const std::string& text : sets(run, "set", field, false))
-      fixed[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
-    std::vector<std::map<std::string, std::string>> all;
-    for (const std::string& text : sets(run, "sweep", field, true)) {
-      std::stringstream list(text.substr(text.find('=') + 1));
-      for (std::string value; std::getline(list, value, ',');) {
-        all.push_back(fixed);
-        all.back()[text.substr(0, text.find('='))] = value;
-      }
-    }
-    if (all.empty()) all.push_back(fixed);
-    return all;
-  }
-
- private:
-  std::string m_file;
-};
-
-std::pair<uint32_t, uint32_t> sizeOf(const Reader& reader, const toml::node& node,
+std::pair<uint32_t, uint32_t> sizeOf(const SuiteReader& reader, const toml::node& node,
                                      const std::string& field) {
   unsigned width = 0, height = 0;
   int used = 0;
@@ -133,21 +26,41 @@ std::pair<uint32_t, uint32_t> sizeOf(const Reader& reader, const toml::node& nod
   return {width, height};
 }
 
-SuiteRun parseRun(const Reader& reader, const toml::node& node, size_t index) {
+/// Changes of the run's scenes, as the options --camera, --sun and --set-material give them.
+std::vector<std::string> editsOf(const SuiteReader& reader, const toml::table& run,
+                                 const std::string& field) {
+  std::vector<std::string> edits;
+  auto add = [&](const toml::node& node, const char* key, const std::string& edit) {
+    try {
+      parseEdits(edit);
+    } catch (const InputError& e) {
+      throw InputError(reader.at(node) + ": " + field + "." + key, e.what());
+    }
+    edits.push_back(edit);
+  };
+  for (const char* key : {"camera", "sun", "motion"})
+    if (const auto* n = run.get(key))
+      add(*n, key, std::string(key) + ":" + reader.text(*n, field + "." + key));
+  if (const auto* n = run.get("materials"))
+    for (const std::string& edit : reader.texts(*n, field + ".materials"))
+      add(*n, "materials", edit);
+  return edits;
+}
+
+SuiteRun parseRun(const SuiteReader& reader, const toml::node& node, size_t index) {
   const std::string field = "run " + std::to_string(index + 1);
-  const auto* table = node.as_table();
-  if (!table) reader.fail(node, field, "a table");
+  const toml::table* table = &reader.table(node, field);
   reader.requireKnown(*table, field,
-                      {"scenes", "techniques", "backends", "size", "set", "grid", "sweep"});
+                      {"scenes", "techniques", "backends", "size", "set", "grid", "sweep", "camera",
+                       "sun", "materials", "motion"});
   Selection base;
-  for (const char* key : {"scenes", "techniques"})
-    if (!table->get(key)) throw InputError(reader.at(node) + ": " + field, std::string("lacks ") + key);
-  base.scenes = reader.texts(*table->get("scenes"), field + ".scenes");
-  base.techniques = reader.texts(*table->get("techniques"), field + ".techniques");
+  base.scenes = reader.texts(reader.need(*table, field, "scenes"), field + ".scenes");
+  base.techniques = reader.texts(reader.need(*table, field, "techniques"), field + ".techniques");
   if (const auto* n = table->get("backends")) base.backends = reader.texts(*n, field + ".backends");
   if (const auto* n = table->get("size")) base.size = sizeOf(reader, *n, field + ".size");
+  base.edits = editsOf(reader, *table, field);
   base.sets = reader.sets(*table, "set", field, false);
-  const Values grid = reader.sets(*table, "grid", field, true);
+  const SuiteReader::Texts grid = reader.sets(*table, "grid", field, true);
   base.sets.insert(base.sets.end(), grid.begin(), grid.end());
   SuiteRun run{.where = reader.at(node) + ": " + field, .selections = {base}};
   for (const std::string& sweep : reader.sets(*table, "sweep", field, true)) {
@@ -158,28 +71,37 @@ SuiteRun parseRun(const Reader& reader, const toml::node& node, size_t index) {
   return run;
 }
 
-StabilityRun parseStability(const Reader& reader, const toml::node& node, size_t index) {
+/// One set of knobs for each value of each entry of `sweep`, or one alone, all with those of `set`.
+std::vector<std::map<std::string, std::string>> variants(const SuiteReader& reader,
+                                                         const toml::table& run,
+                                                         const std::string& field) {
+  std::map<std::string, std::string> fixed;
+  for (const std::string& text : reader.sets(run, "set", field, false))
+    fixed[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
+  std::vector<std::map<std::string, std::string>> all;
+  for (const std::string& text : reader.sets(run, "sweep", field, true)) {
+    std::stringstream list(text.substr(text.find('=') + 1));
+    for (std::string value; std::getline(list, value, ',');) {
+      all.push_back(fixed);
+      all.back()[text.substr(0, text.find('='))] = value;
+    }
+  }
+  if (all.empty()) all.push_back(fixed);
+  return all;
+}
+
+StabilityRun parseStability(const SuiteReader& reader, const toml::node& node, size_t index) {
   const std::string field = "stability " + std::to_string(index + 1);
-  const auto* table = node.as_table();
-  if (!table) reader.fail(node, field, "a table");
+  const toml::table* table = &reader.table(node, field);
   reader.requireKnown(*table, field, {"cases", "techniques", "set", "sweep", "seeds"});
   StabilityRun run{.where = reader.at(node) + ": " + field};
-  run.variants = reader.variants(*table, field);
+  run.variants = variants(reader, *table, field);
   if (const auto* n = table->get("seeds"))
     run.seeds = uint32_t(reader.number(*n, field + ".seeds", 0));
   if (const auto* n = table->get("cases")) run.cases = reader.texts(*n, field + ".cases");
   if (const auto* n = table->get("techniques"))
     run.techniques = reader.texts(*n, field + ".techniques");
   return run;
-}
-
-/// Calls `parse` for the tables [[name]], which may be missing.
-void eachTable(const Reader& reader, const toml::table& root, const char* name, const auto& parse) {
-  const toml::node* node = root.get(name);
-  if (!node) return;
-  const auto* list = node->as_array();
-  if (!list || list->empty()) reader.fail(*node, name, "tables [[" + std::string(name) + "]]");
-  for (size_t i = 0; i < list->size(); ++i) parse(*list->get(i), i);
 }
 
 std::vector<CellId> cellsOf(const Selection& selection, const std::vector<std::string>& known,
@@ -200,7 +122,7 @@ std::vector<std::string> builtinSuites() {
 }
 
 Suite parseSuite(std::string_view text, const std::string& file) {
-  const Reader reader(file);
+  const SuiteReader reader(file);
   toml::table root;
   try {
     root = toml::parse(text, file);
@@ -208,7 +130,8 @@ Suite parseSuite(std::string_view text, const std::string& file) {
     throw InputError(file + ":" + std::to_string(e.source().begin.line),
                      std::string(e.description()));
   }
-  reader.requireKnown(root, "", {"title", "seeds", "budget", "precision", "run", "stability"});
+  reader.requireKnown(root, "",
+                      {"title", "seeds", "budget", "precision", "run", "stability", "figure"});
   Suite suite{.name = file};
   if (const auto* n = root.get("title")) suite.title = reader.text(*n, "title");
   if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", 0));
@@ -217,11 +140,14 @@ Suite parseSuite(std::string_view text, const std::string& file) {
     suite.precisionPercent = reader.number(*n, "precision", 0);
   if (!root.get("run") && !root.get("stability"))
     throw InputError(file, "has no [[run]] and no [[stability]]");
-  eachTable(reader, root, "run", [&](const toml::node& node, size_t i) {
+  reader.eachTable(root, "", "run", [&](const toml::node& node, size_t i) {
     suite.runs.push_back(parseRun(reader, node, i));
   });
-  eachTable(reader, root, "stability", [&](const toml::node& node, size_t i) {
+  reader.eachTable(root, "", "stability", [&](const toml::node& node, size_t i) {
     suite.stability.push_back(parseStability(reader, node, i));
+  });
+  reader.eachTable(root, "", "figure", [&](const toml::node& node, size_t i) {
+    suite.figures.push_back(parseFigure(reader, node, i));
   });
   return suite;
 }

@@ -9,6 +9,8 @@
 //   set.kernel = 3                   optional: the same for all cells
 //   grid.size = [512, 1024]          optional: every combination of these
 //   sweep.kernel = [1, 3, 9]         optional: one knob at a time, the others at their defaults
+//   camera = "eye=X,Y,Z,at=X,Y,Z"    optional; as are sun = "direction=X,Y,Z", motion = "..." and
+//   materials = ["GLOB:alpha=A"]     changes of the scenes (suites/scenes/scene_edit.h)
 // A knob that a technique does not have is left out for it. Beside runs, or without any:
 //   [[stability]]                    hard cases (suites/stability)
 //   cases = ["G1", ...]              optional: ids; without it all
@@ -16,6 +18,7 @@
 //   sweep.format = ["rgba16", ...]   optional: variants, one knob at a time
 //   set.kernel = 3                   optional: the same for all of them
 //   seeds = 64                       optional: means of stochastic techniques over so many
+// and [[figure]]: figures of a document that the cells show again (suites/harness/suite_figures.h)
 #pragma once
 
 #include <optional>
@@ -24,6 +27,7 @@
 #include <vector>
 
 #include "suites/harness/selection.h"
+#include "suites/harness/suite_figures.h"
 
 namespace sb {
 
@@ -48,6 +52,7 @@ struct Suite {
   std::optional<double> precisionPercent;
   std::vector<SuiteRun> runs;
   std::vector<StabilityRun> stability;
+  std::vector<SuiteFigure> figures;
 };
 
 /// Names of the suites that the program brings.

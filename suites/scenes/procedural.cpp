@@ -15,8 +15,8 @@ namespace sb {
 namespace {
 
 const std::vector<ProceduralScene>& registry() {
-  static const std::vector<ProceduralScene> kScenes = {layers(), spheresQuads(), teapot(),
-                                                       roseWindow()};
+  static const std::vector<ProceduralScene> kScenes = {layers(), panes(), spheresQuads(),
+                                                       teapot(), roseWindow()};
   return kScenes;
 }
 

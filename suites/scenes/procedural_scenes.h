@@ -17,6 +17,7 @@ struct ProceduralScene {
 
 ProceduralScene spheresQuads();
 ProceduralScene layers();
+ProceduralScene panes();
 ProceduralScene roseWindow();
 ProceduralScene teapot();
 

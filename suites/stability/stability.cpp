@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "suites/harness/cell.h"
 #include "techniques/common/error.h"
@@ -57,6 +58,21 @@ std::vector<KnobInfo> knobsOf(const StabilityJob& job) {
                      transparencyTechnique(job.transparency).info);
 }
 
+/// A knob that none of the pairs has is a mistake.
+void requireKnown(const StabilitySelection& selection,
+                  const std::vector<std::pair<std::string, std::string>>& pairs) {
+  std::set<std::string> known;
+  for (const auto& [technique, transparency] : pairs)
+    for (const KnobInfo& knob :
+         knobsOf({.caseId = "", .technique = technique, .transparency = transparency, .backend = ""}))
+      known.insert(knob.name);
+  for (const auto& variant : selection.variants)
+    for (const auto& [knob, value] : variant)
+      if (!known.contains(knob))
+        throw InputError("knob",
+                         unknownName("knob", knob, std::vector(known.begin(), known.end())));
+}
+
 bool hasKnobs(const StabilityJob& job) {
   const auto infos = knobsOf(job);
   return std::ranges::all_of(job.knobs, [&](const auto& knob) {
@@ -85,6 +101,7 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const std::string& t : selection.techniques) pairs.push_back(pairOf(t));
   if (pairs.empty()) pairs = allPairs();
+  requireKnown(selection, pairs);
   std::vector<std::string> ids = selection.cases;
   if (ids.empty())
     for (const StabilityCase& c : stabilityCases()) ids.push_back(c.id);

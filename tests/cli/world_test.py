@@ -74,7 +74,7 @@ class Readme(Case):
                 words += ["--budget", "0.01", "--benchmark_repetitions=1", "--seeds", "1"]
                 # A suite takes minutes: one technique of it.
                 if "--suite" in words:
-                    words += ["--filter", "ShadowMap/vulkan/layers"]
+                    words += ["--filter", "^(ShadowMap|TranslucentShadows)/vulkan/layers"]
                 # A size of the README's own stays.
                 words += [] if "--size" in words else ["--size", "16x16"]
             with self.subTest(line):

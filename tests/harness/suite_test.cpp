@@ -94,6 +94,10 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsize='5'", "s.toml:4: run 1.size"},
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsweep.kernel=[[1]]",
        "s.toml:4: run 1.sweep.kernel"},
+      {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsun='direction=0,x,0'",
+       "s.toml:4: run 1.sun: scene edit 'sun:direction=0,x,0': direction holds 'x'"},
+      {"[[run]]\nscenes=['layers']\ntechniques=['none']\nmaterials=['china']",
+       "s.toml:4: run 1.materials: scene edit 'china': expected"},
       {"[[run]]\nscenes=['layers']\ntechniques=['none']\nsweep=4", "run 1.sweep: found 4"},
       {"[[run]]\nscenes=['layers']\ntechniques=['Shadowmap']", "s.toml:1: run 1: unknown technique"},
       {"[[run]]\nscenes=['layer']\ntechniques=['none']", "unknown scene 'layer'"},
@@ -105,12 +109,117 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
         << text << "\n-> " << errorOf(text) << "\nexpected " << expected;
 }
 
+TEST(Suite, ChangesOfScenesAreThoseOfTheCommandLine) {
+  EXPECT_EQ(namesOf(R"(
+    [[run]]
+    scenes = ["layers:alpha=0.5", "teapot"]
+    techniques = ["none"]
+    backends = ["vulkan"]
+    size = "8x8"
+    sun = "direction=0,-1,0.50"
+    camera = "eye=1,2,3,at=0,0,0"
+    materials = ["*:alpha=0.5,t=0.9", "w?:alpha=0"]
+  )"),
+            (std::vector<std::string>{
+                "none/vulkan/layers:alpha=0.5?camera:eye=1,2,3,at=0,0,0;sun:direction=0,-1,0.5;"
+                "*:alpha=0.5,t=0.9,0.9,0.9;w?:alpha=0/8x8",
+                "none/vulkan/teapot?camera:eye=1,2,3,at=0,0,0;sun:direction=0,-1,0.5;"
+                "*:alpha=0.5,t=0.9,0.9,0.9;w?:alpha=0/8x8"}));
+}
+
+const std::string kScaling = R"(
+[[run]]
+scenes = ["spheres_quads:quads=0", "spheres_quads"]
+techniques = ["none", "ShadowMap", "CSSM2"]
+[[figure]]
+id = "5.3"
+title = "t"
+kind = "scaling"
+x = "quads"
+document = "d"
+cells = "^(none|ShadowMap)/"
+)";
+const std::string kStatement = R"([[figure.statement]]
+text = "s"
+measure = "combined_ms"
+left = "^none/"
+relation = "less"
+otherwise = "o"
+)";
+
+TEST(Suite, FiguresNameTheirCells) {
+  const Suite suite = parseSuite(
+      kScaling + kStatement + "right = '^Shadow'\nof = 'slope'\nfactor = 2\nat = 3\nleft_at = 4\n" +
+          kStatement + "number = 7\n[[figure.stated]]\ncells = '^none'\nbytes = 'b'\n",
+      "s.toml");
+  const auto figures = suiteFigures(suite, {.backends = {"vulkan"}, .filter = "CSSM2"}, kKnown, kDefault);
+  ASSERT_EQ(figures.size(), 1u);
+  const report::Figure& f = figures[0];
+  // What a filter leaves out belongs to the figure all the same.
+  EXPECT_EQ(f.cells, (std::vector<std::string>{"none/vulkan/spheres_quads:quads=0/512x512",
+                                               "ShadowMap/vulkan/spheres_quads:quads=0/512x512",
+                                               "none/vulkan/spheres_quads/512x512",
+                                               "ShadowMap/vulkan/spheres_quads/512x512"}));
+  EXPECT_EQ(f.kind, report::FigureKind::Scaling);
+  EXPECT_EQ(f.xFallback, 200);
+  ASSERT_EQ(f.statements.size(), 2u);
+  const report::FigureStatement& s = f.statements[0];
+  EXPECT_EQ(s.of, "slope");
+  EXPECT_EQ(s.right.cells, "^Shadow");
+  EXPECT_EQ(s.right.measure, "combined_ms");
+  EXPECT_EQ(s.left.at, 4);
+  EXPECT_EQ(s.right.at, 3);
+  EXPECT_EQ(s.factor, 2);
+  EXPECT_EQ(f.statements[1].number, 7);
+  EXPECT_EQ(f.stated.at(0).bytes, "b");
+}
+
+TEST(Suite, MistakesInFiguresAreNamed) {
+  const auto errorOfFigures = [](const std::string& text) -> std::string {
+    try {
+      suiteFigures(parseSuite(text, "s.toml"), {}, kKnown, kDefault);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string right = kStatement + "right = 'S'\n";
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, text.npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  EXPECT_EQ(errorOfFigures(kScaling + right), "");
+  const std::pair<std::string, std::string> cases[] = {
+      {changed(kScaling, "quads\"\ndocument", "quad\"\ndocument"),
+       "s.toml:5: figure 1: x: 'quad' is no parameter of its scenes and no knob"},
+      {changed(kScaling, "\"scaling\"", "\"scalign\""), "s.toml:8: figure 1.kind: unknown value"},
+      {changed(kScaling, "x = \"quads\"", ""), "s.toml:5: figure 1: lacks x"},
+      {changed(kScaling, "^(none|ShadowMap)/", "^Teapot"),
+       "figure 1: cells: no cell of the figure matches '^Teapot'"},
+      {changed(kScaling, "^(none", "^((none"), "s.toml:11: figure 1.cells: '^((none|ShadowMap)/' is"},
+      {kScaling + kStatement, "s.toml:12: figure 1.statement 1: lacks right, or number"},
+      {kScaling + right + "number = 1\n", "has both a right side and a number"},
+      {kScaling + changed(right, "^none/", "^CSSM2"),
+       "statement 1.left: no cell of the figure matches '^CSSM2'"},
+      {kScaling + changed(right, "combined_ms", "combined"),
+       "s.toml:14: figure 1.statement 1.measure: found 'combined', expected a measure"},
+      {kScaling + changed(right, "\"less\"", "\"fewer\""), "statement 1.relation: unknown value"},
+      {kScaling + right + "of = 'slop'", "statement 1.of: unknown value 'slop'"},
+      {kScaling + changed(right, "otherwise", "other"), "unknown field 'other'"}};
+  for (const auto& [text, expected] : cases)
+    EXPECT_NE(errorOfFigures(text).find(expected), std::string::npos)
+        << text << "\n-> " << errorOfFigures(text) << "\nexpected " << expected;
+}
+
 TEST(Suite, EveryBuiltInSuiteSelectsCells) {
   ASSERT_FALSE(builtinSuites().empty());
   for (const std::string& name : builtinSuites()) {
     const Suite suite = loadSuite(name);
     const auto cells = suiteCells(suite, {}, kKnown, kDefault);
-    EXPECT_TRUE(cells.size() > 10 || !suite.stability.empty()) << name;
+    EXPECT_TRUE(cells.size() > 5 || !suite.stability.empty()) << name;
+    const auto figures = suiteFigures(suite, {}, kKnown, kDefault);
+    EXPECT_EQ(name.starts_with("coloured_"), !figures.empty()) << name;
     std::set<std::string> names;
     for (const CellId& id : cells) EXPECT_TRUE(names.insert(cellName(id)).second) << cellName(id);
   }

@@ -17,7 +17,8 @@ except ImportError:
     # Where everything must be tested, this is a failure.
     sys.exit(1 if os.environ.get("SHADOWBENCH_REQUIRE") else 77)
 
-from keyboard_tests import Keyboard  # the test runner finds them here
+from curve_tests import Curves  # the test runner finds them here
+from keyboard_tests import Keyboard
 from page_case import DRIVER, SCREENSHOTS, By, Page
 
 
@@ -153,8 +154,10 @@ class Shapes(Page):
                 self.browser.open(self.html, width=width, dark=dark)
                 self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"),
                                      width)
-                self.assertLessEqual(self.browser.run(
-                    "return document.querySelector('.canvas svg').getBoundingClientRect().right"), width)
+                for plot in (".canvas svg", ".lines svg"):
+                    self.assertLessEqual(self.browser.run(
+                        "return Math.max(...[...document.querySelectorAll(arguments[0])].map("
+                        "(svg) => svg.getBoundingClientRect().right))", plot), width)
                 name = f"{width}-{'dark' if dark else 'light'}.png"
                 self.browser.screenshot(os.path.join(SCREENSHOTS, name))
 

@@ -1,6 +1,6 @@
 """Results made by hand for the tests of the report's page: two scenes, three backends, a ray-traced
 row without error, a stochastic technique with noise and certificate, a failed, a skipped and a
-contaminated cell, hostile texts, and pictures as PNG files written with zlib alone.
+contaminated cell, hard cases, figures, hostile texts, and pictures as PNG files written with zlib alone.
 """
 import json
 import math
@@ -117,6 +117,8 @@ def cell(technique, backend, scene, variant, ms, rmse, pictures, noisy=False):
         "bytes_by_label": {"camera colour": int(3e6), "shadow map": int(shadow * 2e6)},
         "nonfinite": 0, "stable": True, "cross_backend_max_255": 1, "cross_backend_over_1_255": 0,
         "picture": pictures.get("image", ""), "visibility_layers": [],
+        "visibility_regions": [{"region": "pale", "share": 1.0, "rmse": rmse / 2, "bias": 0,
+                                "noise": rmse / 3 if noisy else None}],
         "visibility": {**stats(rmse), "interior": stats(rmse / 4)},
         "image": {**stats(0.4 * rmse ** 0.8), "relmse": rmse * 0.5, "flip": rmse * 0.6,
                   "interior": {**stats(rmse * 0.1), "relmse": rmse * 0.1, "flip": rmse * 0.1}},
@@ -179,6 +181,58 @@ def cells_of(scene, pictures, entries):
                             {**shared, "truth": truth}, noisy)
 
 
+def hard_case(id, technique, backend, verdict, curve, parameter="", logarithmic=False):
+    """`curve`: x, found, allowed; found None is no number."""
+    broken = [x for x, found, allowed in curve if found is None or found > allowed]
+    return {"name": f"{id}/{technique}/{backend}", "case": id, "title": f"Title of {id} <b>",
+            "property": "what must hold (1)", "reason": "<b>half a step</b> of 8 bits",
+            "technique": technique, "backend": backend, "parameter": parameter,
+            "logarithmic": logarithmic, "verdict": verdict,
+            "why": "" if verdict == "PASS" else f"why of {id}",
+            "breaks_at": broken[0] if broken else None,
+            "curve": [{"x": x, "value": found, "tolerance": allowed} for x, found, allowed in curve]}
+
+
+def hard_cases():
+    """Three cases, two of them with a curve: one over magnitudes with a value that is no number."""
+    out = []
+    for backend in ("vulkan", "opengl"):
+        out += [hard_case("G1", "ShadowMap", backend, "PASS", [(0, 0, 0)]),
+                hard_case("G1", "CSSM2", backend, "skipped", []),
+                hard_case("G2", "ShadowMap", backend, "PASS",
+                          [(10.0 ** e, 1e-7 * 10 ** (e / 2), 2e-3) for e in range(7)], "offset, m", True),
+                hard_case("G2", "CSSM2", backend, "FAIL" if backend == "opengl" else "PASS",
+                          [(10.0 ** e, None if backend == "opengl" and e == 6 else 1e-6 * 10 ** (e / 2),
+                            2e-3) for e in range(7)], "offset, m", True),
+                hard_case("T4", "CSSM2", backend, "EXPECTED",
+                          [(a / 10, a / 20, 0.21) for a in range(11)], "alpha")]
+    return out
+
+
+def figure(id, kind, cells, statements, x=""):
+    return {"id": id, "title": f"Title of {id} <b>", "kind": kind, "document": "It says <b>so</b>.",
+            "x": x, "x_fallback": 0, "cells": cells, "missing": [],
+            "stated": [{"cells": "^CSSM2/", "passes": "three, <b>stated</b>", "attachments": "two",
+                        "bytes": ""}],
+            "statements": [{"text": f"<b>Claim</b> on {left}", "of": of,
+                            "left": {"cells": left, "measure": measure, "at": None},
+                            "right": {"cells": right, "measure": measure, "at": None},
+                            "relation": "less", "factor": 1, "otherwise": "<b>otherwise</b>"}
+                           for of, measure, left, right in statements]}
+
+
+def figures(names):
+    """One of each kind; the knob kernel is the first one's x."""
+    layers = [n for n in names if "/layers/" in n and "osmesa" not in n]
+    cssm2 = [n for n in layers if n.startswith("CSSM2/")]
+    return [figure("5.3", "scaling", cssm2 + ["CSSM2/vulkan/layers/kernel:63/128x128"],
+                   [("slope", "time", "^CSSM2/", "^CSSM2/.*kernel:9"),
+                    ("value", "visibility", "kernel:9", "^CSSM2/[^/]*/layers/128"),
+                    ("value", "visibility", "^CSSM2/[^/]*/layers/128", "kernel:9")], "kernel"),
+            figure("5.4", "pictures", layers, []), figure("5.5", "layers", cssm2, []),
+            figure("5.6", "regions", cssm2, []), figure("5.7", "resources", layers, [])]
+
+
 def write(folder):
     """Writes results.json and its pictures; gives the path."""
     path = os.path.join(folder, "results.json")
@@ -200,5 +254,7 @@ def write(folder):
                "load_avg": [0.5, 0.4, 0.3], "library_build_type": "release",
                "shadowbench_version": "0.1.0", "warnings": ["scene x: a texture is missing"]}
     with open(path, "w") as file:
-        json.dump({"context": context, "benchmarks": entries}, file)
+        names = [e["run_name"] for e in entries if e["run_type"] == "aggregate"]
+        json.dump({"context": context, "benchmarks": entries, "stability": hard_cases(),
+                   "figures": figures(names)}, file)
     return path

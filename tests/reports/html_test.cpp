@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -95,6 +96,17 @@ TEST_F(Html, HostileTextStaysText) {
     for (Ratio& x : r.ratios) x.against = bad;
     for (auto& [key, why] : r.why) why = bad;
   }
+  run.stability = {{.id = bad,
+                    .title = bad,
+                    .property = bad,
+                    .reason = bad,
+                    .technique = bad,
+                    .backend = bad,
+                    .parameter = bad,
+                    .curve = {{1, 1, 0}, {2, 2, 0}},
+                    .breaksAt = 1,
+                    .verdict = Verdict::Fail,
+                    .why = bad}};
   // As good again as the sample's first: points, and not only tables.
   run.records[0].contamination.clear();
   const std::string text = page(run);
@@ -178,6 +190,39 @@ TEST_F(Html, RunsWithoutErrorsOrCellsAreWhole) {
             std::string::npos);
   run.records.clear();
   EXPECT_NE(page(run).find("The run has no cells."), std::string::npos);
+}
+
+TEST_F(Html, HardCasesHaveVerdictsDetailsAndCurves) {
+  Results run;
+  StabilityRecord r{.id = "G2",
+                    .title = "far <away>",
+                    .property = "difference",
+                    .reason = "rounding",
+                    .technique = "CSSM2+Sorted",
+                    .backend = "vulkan",
+                    .parameter = "offset",
+                    .curve = {{1, 0.25, 0.5}, {2, std::nan(""), 0.5}}};
+  judge(r, "");
+  run.stability = {r};
+  r.backend = "opengl";
+  r.curve = {{1, 0.25, 0.5}, {2, 0.75, 0.5}};
+  judge(r, "by construction");
+  run.stability.push_back(r);
+  r.id = "G1";
+  r.parameter = "";
+  r.curve.resize(1);
+  judge(r, "");
+  run.stability.push_back(r);
+  const std::string text = markup(page(run));
+  EXPECT_EQ(text.find("The run has no cells."), std::string::npos);
+  for (const char* part :
+       {"3 hard cases: 1 ", "FAILS</span> 1/2", "far &lt;away&gt;", "no number at offset 2",
+        "0.5: rounding", "by construction", "<dt>breaks at</dt><dd>offset 2</dd>",
+        "href=\"#stability\"", "data-technique=\"CSSM2+Sorted\""})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(countOf(text, "class=\"lines\""), 1u);  // one configuration is no curve
+  EXPECT_NE(text.find("\"points\":[[1.0,0.25]],\"limit\":[[1.0,0.5],[2.0,0.5]],\"breaksAt\":2.0"),
+            std::string::npos);
 }
 
 TEST_F(Html, TheSameRunGivesTheSamePage) { EXPECT_EQ(page(sampleRun()), page(sampleRun())); }

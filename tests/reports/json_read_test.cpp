@@ -67,14 +67,15 @@ TEST(JsonRead, OldFilesLackErrors) {
   const auto run =
       fromJson(changed([](Json& json) {
                  for (Json& e : json["benchmarks"])
-                   for (const char* key : {"visibility", "visibility_layers", "image", "noise",
-                                           "certificate", "blame", "truth_stderr", "pictures"})
+                   for (const char* key : {"visibility", "visibility_layers", "visibility_regions",
+                                           "image", "noise", "certificate", "blame",
+                                           "truth_stderr", "pictures"})
                      e.erase(key);
                }),
                "a.json");
   const Record& r = run.records[0];
   EXPECT_FALSE(r.visibility || r.image || r.noise || r.certificate || r.blame || r.truthStderr);
-  EXPECT_TRUE(r.visibilityLayers.empty() && r.pictures.empty());
+  EXPECT_TRUE(r.visibilityLayers.empty() && r.visibilityRegions.empty() && r.pictures.empty());
   EXPECT_TRUE(r.cpu);
 }
 

@@ -37,6 +37,9 @@ void addErrors(Record& r) {
   r.visibility = VisibilityError{stats(0.125), stats(0.03125)};
   r.visibilityLayers = {
       {.light = 0, .lightName = "sun <1>", .layer = 0, .error = {stats(0.125), stats(0.03125)}}};
+  r.visibilityRegions = {
+      {.region = "dark", .share = 0.25, .rmse = 0.5, .bias = 0.125, .noise = 0.0625},
+      {.region = "pale", .share = 0.75, .rmse = 0.25, .bias = -0.125, .noise = {}}};
   r.image = ImageError{.all = stats(0.25),
                        .interior = stats(0.0625),
                        .relmse = 0.5,

@@ -47,7 +47,7 @@ TEST(Procedural, CanonicalSpecs) {
 }
 
 TEST(Procedural, InfosAreComplete) {
-  EXPECT_EQ(proceduralScenes().size(), 4u);
+  EXPECT_EQ(proceduralScenes().size(), 5u);
   for (const SceneInfo& scene : proceduralScenes()) {
     EXPECT_FALSE(scene.help.empty());
     for (const SceneParam& param : scene.params) {
@@ -60,7 +60,8 @@ TEST(Procedural, InfosAreComplete) {
 
 TEST(Procedural, SameSpecSameScene) {
   for (const std::string spec :
-       {"spheres_quads", "spheres_quads:orientation=random", "layers", "window", "teapot"}) {
+       {"spheres_quads", "spheres_quads:orientation=random", "layers", "panes", "window",
+        "teapot"}) {
     const Scene a = makeScene(spec), b = makeScene(spec);
     ASSERT_EQ(a.instances.size(), b.instances.size());
     for (size_t i = 0; i < a.instances.size(); ++i)
@@ -78,7 +79,7 @@ TEST(Procedural, SameSpecSameScene) {
 
 TEST(Procedural, EveryInstanceLiesInView) {
   for (const double aspect : {1.0, 4.0 / 3.0})
-    for (const std::string spec : {"layers", "window", "teapot"}) {
+    for (const std::string spec : {"layers", "panes", "window", "teapot"}) {
       const Scene scene = makeScene(spec);
       const ViewVolume view(scene.camera(), aspect);
       for (const Instance& instance : scene.instances) {
@@ -90,6 +91,20 @@ TEST(Procedural, EveryInstanceLiesInView) {
         EXPECT_LT(screen.high.y, 1.0) << spec << " " << instance.name;
       }
     }
+}
+
+TEST(Procedural, CentresOfPanesTellTheWrongOrder) {
+  const Scene scene = makeScene("panes");
+  const glm::dvec3 eye = scene.camera().eye();
+  const auto distance = [&](size_t i) {
+    return glm::length(instanceBox(scene, scene.instances[i]).center() - eye);
+  };
+  // Green, red, blue: by centres red is behind green and blue before it.
+  EXPECT_GT(distance(2), distance(1));
+  EXPECT_LT(distance(3), distance(1));
+  // Where they are, it is the other way round: green's z is 0.6 x.
+  EXPECT_GT(scene.instances[2].toWorld[3].z, 0.6 * (scene.instances[2].toWorld[3].x + 0.8));
+  EXPECT_LT(scene.instances[3].toWorld[3].z, 0.6 * (scene.instances[3].toWorld[3].x - 0.8));
 }
 
 TEST(Procedural, SpheresAndQuads) {

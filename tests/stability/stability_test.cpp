@@ -63,6 +63,7 @@ TEST(StabilityJobs, AreNamedAndSelected) {
   EXPECT_THROW(stabilityJobs({.techniques = {"CSM2"}}), InputError);
   EXPECT_THROW(stabilityJobs({.cases = {"G99"}}), InputError);
   EXPECT_THROW(stabilityJobs({.filter = "("}), InputError);
+  EXPECT_THROW(stabilityJobs({.variants = {{{"kernal", "3"}}}}), InputError);
 }
 
 TEST(StabilityJobs, VariantsAreAskedOfThoseThatHaveTheKnob) {

@@ -79,7 +79,9 @@ function start() {
   document.querySelectorAll('table.sortable').forEach(makeSortable);
   form.hidden = false;
   filters = applyFilters(form);
-  const plots = [...document.querySelectorAll('.canvas')].map((canvas) => new ScenePlot(canvas));
+  const plots = [
+    ...[...document.querySelectorAll('.lines')].map((canvas) => new LinePlot(canvas)),
+    ...[...document.querySelectorAll('.canvas')].map((canvas) => new ScenePlot(canvas))];
   // One after the other: a plot that is still being drawn is not drawn over.
   let turn = Promise.resolve();
   let waiting = false;

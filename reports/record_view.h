@@ -1,0 +1,22 @@
+// What reports say about a cell: its technique and what sets it apart, and the time it is compared
+// by.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reports/record.h"
+
+namespace report {
+
+/// "CSSM2" or "CSSM2+Sorted": as cells are named.
+std::string techniqueOf(const Record& r);
+/// "kernel:9 size:512": what sets this cell apart from others of its technique; "" at its defaults.
+std::string variantOf(const Record& r);
+/// The time that cells are compared by: CPU time on software devices, else the frame's.
+std::string timeKeyOf(const Record& r);
+const std::optional<Distribution>& comparedTime(const Record& r);
+/// The record's word on why a value is absent; "" when there is none.
+std::string whyOf(const Record& r, const std::string& key);
+
+}  // namespace report
