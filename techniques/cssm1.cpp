@@ -20,6 +20,8 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   void prepare(const Context& context) override {
     m_coloured = context.plan.runs(Effect::TranslucentCasters);
     m_samples = context.knobs.integer("msaa");
+    if (m_samples > 1 && context.knobs.is("compare", "hardware"))
+      throw rhi::Error("CSSM1", "", "no hardware compares maps of several samples a texel");
     m_maps.emplace(context, 0.0f,
                    DepthShape{.layersPerView = m_coloured ? kChannels : 1, .samples = m_samples});
     if (m_samples == 1) m_compare.emplace(context, *m_maps);

@@ -19,6 +19,9 @@ class StochasticShadowMap final : public ShadowTechnique {
  public:
   void prepare(const Context& context) override {
     m_samples = context.knobs.integer("msaa");
+    if (m_samples > 1 && context.knobs.is("compare", "hardware"))
+      throw rhi::Error("StochasticShadowMap", "",
+                       "no hardware compares maps of several samples a texel");
     m_maps.emplace(context, 0.0f, DepthShape{.samples = m_samples});
     if (m_samples == 1) m_compare.emplace(context, *m_maps);
     createPipelines(context);

@@ -77,8 +77,9 @@ class Readme(Case):
                     words += ["--filter", "^(ShadowMap|TranslucentShadows)/vulkan/layers"]
                 # A size of the README's own stays.
                 words += [] if "--size" in words else ["--size", "16x16"]
+            # The quick suite alone is every technique on every scene: slow beside other work.
             with self.subTest(line):
-                self.ok(*words, cwd=self.folder)
+                self.ok(*words, cwd=self.folder, timeout=400)
         self.assertGreater(commands, 5)
 
 

@@ -244,7 +244,13 @@ GPU_TEST(StochasticSamples, Cssm1KeepsASubsetInEachChannel) {
 }
 
 GPU_TEST(StochasticSamples, ARefusalIsAnError) {
-  EXPECT_THROW(Cell(cellDevice(device()), stack({workedA()}),
-                    single({{"msaa", "4"}, {"filter", "adaptive"}})),
-               rhi::Error);
+  const auto make = [&](const char* technique, std::map<std::string, std::string> knobs) {
+    knobs["msaa"] = "4";
+    CellOptions options = single(std::move(knobs));
+    options.technique = technique;
+    Cell(cellDevice(device()), stack({workedA()}), options);
+  };
+  EXPECT_THROW(make("CSSM2", {{"filter", "adaptive"}}), rhi::Error);
+  EXPECT_THROW(make("CSSM1", {{"compare", "hardware"}}), rhi::Error);
+  EXPECT_THROW(make("StochasticShadowMap", {{"compare", "hardware"}}), rhi::Error);
 }
