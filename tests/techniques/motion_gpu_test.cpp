@@ -57,9 +57,8 @@ GPU_TEST(Motion, OrdersFromTheLightFollowTheCamera) {
         device(), travelled(true),
         optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
   for (const char* partition : {"peeled", "batches", "source"})
-    expectFramesOfStandingCameras(
-        device(), travelled(true),
-        optionsOf("CompositedTranslucent", {{"partition", partition}}));
+    expectFramesOfStandingCameras(device(), travelled(true),
+                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
   // Deeper levels than two are peeled on the last.
   expectFramesOfStandingCameras(device(), travelled(true),
                                 optionsOf("CompositedTranslucent", {{"levels", "2"}}));
@@ -92,8 +91,8 @@ GPU_TEST(Motion, MeshesChangePlacesAsTheCameraTurns) {
   scene.path = cameraPath(scene.camera(), {5, 0, 5}, 90, 3);
   expectFramesOfStandingCameras(device(), scene, optionsOf("ShadowMap"));
   for (const char* partition : {"batches", "source"})
-    expectFramesOfStandingCameras(
-        device(), scene, optionsOf("CompositedTranslucent", {{"partition", partition}}));
+    expectFramesOfStandingCameras(device(), scene,
+                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
 }
 
 GPU_TEST(Motion, TranslationOfThePathIsBitIdentical) {
