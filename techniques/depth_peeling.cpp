@@ -86,8 +86,8 @@ class DepthPeeling final : public TransparencyTechnique {
         context.device.createSampler({.label = "peeling sampler", .filter = rhi::Filter::Nearest});
   }
 
-  /// One more than the last frame (of this step) had layers: the empty one proves that none is left. All when
-  /// that is not known, or when there was something in the last one.
+  /// One more than the last frame (of this step) had layers: the empty one proves that none is
+  /// left. All when that is not known, or when there was something in the last one.
   uint32_t layersToPeel(uint32_t step) {
     if (!m_byQuery) return m_most;
     const std::vector<uint64_t> samples = m_atSteps.next(m_queries.take(), step);
@@ -107,7 +107,8 @@ class DepthPeeling final : public TransparencyTechnique {
                         .reads = reads},
                        [&](rhi::CommandList& commands) {
                          auto draw = [&] {
-                           draws.draw(commands, layer == 0 ? m_peelFirst : m_peel, camera.translucent());
+                           draws.draw(commands, layer == 0 ? m_peelFirst : m_peel,
+                                      camera.translucent());
                          };
                          if (m_byQuery)
                            m_queries.count(commands, draw);

@@ -108,7 +108,8 @@ class DualDepthPeeling final : public TransparencyTechnique {
         {.label = "dual peeling sampler", .filter = rhi::Filter::Nearest});
   }
 
-  /// As many as drew something in the last frame (of this step), if nothing was left behind them; else all.
+  /// As many as drew something in the last frame (of this step), if nothing was left behind them;
+  /// else all.
   uint32_t passesToRun(uint32_t step) {
     if (!m_byQuery) return m_most;
     std::vector<uint64_t> samples = m_atSteps.next(m_queries.take(), step);
@@ -125,11 +126,11 @@ class DualDepthPeeling final : public TransparencyTechnique {
         {.view = {.texture = m_back}, .load = load, .clear = {0, 0, 0, 1}}};
     const rhi::ResourceUse reads[] = {rhi::use(camera.depth(), rhi::Access::Sampled),
                                       rhi::use(m_bounds[i % 2].id(), rhi::Access::Sampled)};
-    camera.surfacePass(frame, {.label = "peel both sides", .colors = colors, .reads = reads},
-                       [&](rhi::CommandList& commands) {
-                         counted(commands,
-                                 [&] { m_between[i % 2].draw(commands, m_peel, camera.translucent()); });
-                       });
+    camera.surfacePass(
+        frame, {.label = "peel both sides", .colors = colors, .reads = reads},
+        [&](rhi::CommandList& commands) {
+          counted(commands, [&] { m_between[i % 2].draw(commands, m_peel, camera.translucent()); });
+        });
   }
 
   void composite(Frame& frame, CameraPass& camera, rhi::TextureId bounds) {

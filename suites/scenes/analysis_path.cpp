@@ -41,10 +41,10 @@ Effects uniteSteps(std::vector<Effects> steps) {
     size_t first = steps.size(), count = 0;
     for (size_t k = 0; k < steps.size(); ++k)
       if (steps[k].present.has(effect)) first = std::min(first, k), ++count;
-    all.reason[effect] =
-        present ? "along the path, in " + std::to_string(count) + " of " +
-                      std::to_string(steps.size()) + " steps: " + steps[first].reason[effect]
-                : "nowhere along the path: " + steps.back().reason[effect];
+    all.reason[effect] = present ? "along the path, in " + std::to_string(count) + " of " +
+                                       std::to_string(steps.size()) +
+                                       " steps: " + steps[first].reason[effect]
+                                 : "nowhere along the path: " + steps.back().reason[effect];
   }
   for (Effects& step : steps) all.steps.push_back(std::move(step));
   return all;

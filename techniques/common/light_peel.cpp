@@ -133,7 +133,8 @@ void LightPeel::recordLayer(Frame& frame, const PeelGroup& group, uint32_t layer
               .depth = rhi::DepthAttachment{.view = layerOf(m_depth, at), .clearDepth = 0},
               .reads = reads},
              PassGroup::Shadow, [&](rhi::CommandList& commands) {
-               m_steps[m_step].draws[at].draw(commands, layer > 0 ? m_next : m_first, group.instances);
+               m_steps[m_step].draws[at].draw(commands, layer > 0 ? m_next : m_first,
+                                              group.instances);
              });
 }
 
@@ -143,9 +144,10 @@ void LightPeel::recordTail(Frame& frame, const PeelGroup& group) {
   const rhi::ColorAttachment colour{.view = layerOf(m_colour, at), .load = rhi::LoadOp::Load};
   const rhi::ResourceUse reads[] = {rhi::use(m_maps.depth().id(), rhi::Access::Sampled),
                                     rhi::use(layerOf(m_depth, at - 1), rhi::Access::Sampled)};
-  frame.pass(
-      {.label = "peeled tail", .colors = std::span(&colour, 1), .reads = reads}, PassGroup::Shadow,
-      [&](rhi::CommandList& commands) { m_steps[m_step].draws[at].draw(commands, m_tail, group.instances); });
+  frame.pass({.label = "peeled tail", .colors = std::span(&colour, 1), .reads = reads},
+             PassGroup::Shadow, [&](rhi::CommandList& commands) {
+               m_steps[m_step].draws[at].draw(commands, m_tail, group.instances);
+             });
 }
 
 }  // namespace sb

@@ -113,9 +113,9 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
       scene.add(instanceBounds(in.scene, i, within));
     const double sceneRadius = glm::length(scene.max - scene.min) / 2;
     extent = 2 * std::min(radius, sceneRadius);
-    center = axes * (radius <= sceneRadius
-                         ? dmat3(in.camera.toWorld) * middle
-                         : (scene.min + scene.max) * 0.5 + (within - in.camera.eye()));
+    center =
+        axes * (radius <= sceneRadius ? dmat3(in.camera.toWorld) * middle
+                                      : (scene.min + scene.max) * 0.5 + (within - in.camera.eye()));
   }
   if (!(extent > 0)) extent = glm::length(center) > 0 ? glm::length(center) * 1e-6 : 1.0;
   // One texel more than the guard: snapping moves the window by up to one.

@@ -132,8 +132,7 @@ void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& setti
   m_fit = settings;
   std::vector<std::vector<LightView>> steps;
   for (size_t k = 0; k < m_effects.steps.size(); ++k)
-    steps.push_back(
-        fitLights(scene(), m_effects.steps[k], scene().path[k], aspect(), settings));
+    steps.push_back(fitLights(scene(), m_effects.steps[k], scene().path[k], aspect(), settings));
   if (steps.empty())
     steps.push_back(fitLights(scene(), m_effects, scene().camera(), aspect(), settings));
   m_lightViews = m_united = uniteViews(steps);
@@ -141,8 +140,8 @@ void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& setti
     return std::ranges::count_if(views, [](const LightView& v) { return !v.empty(); });
   };
   m_firstHasAll = filled(steps.front()) == filled(m_united);
-  m_shadowViews = makeStorage(device, "view shadow views",
-                              m_united.size() * sizeof(gpu::ShadowViewData));
+  m_shadowViews =
+      makeStorage(device, "view shadow views", m_united.size() * sizeof(gpu::ShadowViewData));
   bind();
   writeLights(uploadsTo(device));
 }

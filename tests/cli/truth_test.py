@@ -141,6 +141,19 @@ class Suites(Case):
             entry = json.load(file)["benchmarks"][-1]
         self.assertIn("--scene 'layers?*:alpha=0.5'", entry["command"])
 
+    def test_a_camera_in_motion_ends_where_it_stands(self):
+        motion = ("--motion", "turn=10,move=1,0,0,steps=3")
+        names = self.ok("--list", "--technique", "none", "--backend", "vulkan", "--scene", "layers",
+                        *motion).stdout.split()
+        self.assertEqual(names, ["none/vulkan/layers?motion:move=1,0,0,turn=10,steps=3/512x512"])
+        pictures = []
+        for arguments in (motion, ()):
+            self.ok("render", "--technique", "CSSM2", "--backend", "vulkan", "--scene", "layers",
+                    "--set", "size=128", "--size", "64x64", *arguments, "-o", self.path("p"))
+            with open(self.path("p.exr"), "rb") as file:
+                pictures.append(file.read())
+        self.assertEqual(pictures[0], pictures[1])
+
 
 if __name__ == "__main__":
     main()

@@ -57,9 +57,8 @@ GPU_TEST(Motion, OrdersFromTheLightFollowTheCamera) {
         device(), travelled(true),
         optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
   for (const char* partition : {"peeled", "batches", "source"})
-    expectFramesOfStandingCameras(
-        device(), travelled(true),
-        optionsOf("CompositedTranslucent", {{"partition", partition}}));
+    expectFramesOfStandingCameras(device(), travelled(true),
+                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
   // Deeper levels than two are peeled on the last.
   expectFramesOfStandingCameras(device(), travelled(true),
                                 optionsOf("CompositedTranslucent", {{"levels", "2"}}));
@@ -75,6 +74,25 @@ GPU_TEST(Motion, TransparencyTechniquesDrawWhatAStandingCameraSees) {
                                 optionsOf("ShadowMap", {{"sort", "triangle"}}));
   expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
                                 optionsOf("none", {{"stop", "count"}}, "DepthPeeling"));
+}
+
+GPU_TEST(Motion, MeshesChangePlacesAsTheCameraTurns) {
+  // Two panes, one before the other along -z and behind it along +x. Moving alone never changes the
+  // order of centres along the view direction.
+  Scene scene;
+  scene.background = {0, 0, 1};
+  addQuad(scene, add(scene, glass(0.5f, {1, 0, 0})), {-0.25f, 1, 0}, {1.5f, 0, -1.5f}, {0, 1, 0});
+  addQuad(scene, add(scene, glass(0.75f, {0, 1, 0})), {0.25f, 1, 0.125f}, {1.5f, 0, -1.5f},
+          {0, 1, 0});
+  scene.materials[0].baseColor = {1, 0, 0, 1};
+  scene.materials[1].baseColor = {0, 1, 0, 1};
+  addLight(scene, sun({0.375, -1, -0.25}));
+  scene.cameras.push_back(lookAt({0, 1, 5}, {0, 1, 0}));
+  scene.path = cameraPath(scene.camera(), {5, 0, 5}, 90, 3);
+  expectFramesOfStandingCameras(device(), scene, optionsOf("ShadowMap"));
+  for (const char* partition : {"batches", "source"})
+    expectFramesOfStandingCameras(device(), scene,
+                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
 }
 
 GPU_TEST(Motion, TranslationOfThePathIsBitIdentical) {
