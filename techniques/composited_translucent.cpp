@@ -3,7 +3,8 @@
 // at every receiver up to texels and the rounding of the colour; no noise.
 //   partition=levels   one map a level of the light-space overlap graph, each caster drawn once;
 //   what
-//                    has no order (cycles, surfaces that shadow themselves) is peeled on its level
+//                      has no order (cycles, surfaces that shadow themselves) is peeled on its
+//                      level
 //   partition=peeled   layers peeled from the light: exact per texel, a pass a layer
 //   partition=batches  one map, made anew for each run of receivers that may share it
 //   partition=source   one map, made anew for each translucent mesh: seed 000's, quadratic
@@ -12,11 +13,11 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/common/light_batches.h"
-#include "techniques/common/light_levels.h"
-#include "techniques/common/light_order.h"
+#include "techniques/common/opaque_casters.h"
+#include "techniques/common/receiver_parts.h"
 #include "techniques/common/registry.h"
-#include "techniques/common/view_order.h"
+#include "techniques/common/translucent_maps.h"
+#include "techniques/common/view_levels.h"
 
 namespace sb {
 namespace {
@@ -28,7 +29,7 @@ class CompositedTranslucent final : public ShadowTechnique {
     m_context.emplace(context);
     m_maps.emplace(context, 0.0f);
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
-    createOpaque(context);
+    m_opaque.emplace(context, *m_maps);
     if (m_translucent) createTranslucent(context);
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, m_translucent});
@@ -50,7 +51,7 @@ class CompositedTranslucent final : public ShadowTechnique {
       const LightView& view = m_maps->views()[i];
       if (view.layer() < 0) continue;
       frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
-                 [&](rhi::CommandList& commands) { drawOpaque(commands, i); });
+                 [&](rhi::CommandList& commands) { m_opaque->draw(commands, i); });
       if (!m_translucent) continue;
       if (m_levelled)
         recordLevels(frame, i);
@@ -60,11 +61,11 @@ class CompositedTranslucent final : public ShadowTechnique {
     if (m_peel) m_peel->record(frame);
   }
 
-  std::span<const std::vector<uint32_t>> parts() const override { return m_parts; }
+  std::span<const std::vector<uint32_t>> parts() const override { return m_parts.receivers; }
 
   void recordPart(Frame& frame, size_t part) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i)
-      if (m_maps->views()[i].layer() >= 0) recordAll(frame, i, m_before[part][i]);
+      if (m_maps->views()[i].layer() >= 0) recordAll(frame, i, m_parts.casters[part][i]);
   }
 
   VisibilityInputs inputs() const override {
@@ -97,32 +98,6 @@ class CompositedTranslucent final : public ShadowTechnique {
   LookupReach reach(uint32_t light) const override { return m_maps->reach(light); }
 
  private:
-  /// What one view draws, level by level.
-  struct ViewLevels {
-    LightLevels levels;
-    uint32_t firstLayer = 0;  ///< of the colour map: behind level 0
-  };
-
-  void createOpaque(const Context& context) {
-    bool opaque = false, perforated = false;
-    for (const LightView& view : m_maps->views()) {
-      opaque |= !view.opaque.empty();
-      perforated |= !view.perforated.empty();
-    }
-    if (opaque)
-      m_opaque =
-          context.pipelines.get(m_maps->casterPipeline(context, "shadow map opaque", "", false));
-    if (perforated)
-      m_perforated = context.pipelines.get(
-          m_maps->casterPipeline(context, "shadow map perforated", "common/masked.frag", true));
-  }
-
-  void drawOpaque(rhi::CommandList& commands, size_t i) {
-    const LightView& view = m_maps->views()[i];
-    m_maps->plain(i).draw(commands, m_opaque, view.opaque);
-    m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
-  }
-
   void createTranslucent(const Context& context) {
     m_partition = context.knobs.text("partition");
     m_cap = context.knobs.integer("levels");
@@ -150,68 +125,25 @@ class CompositedTranslucent final : public ShadowTechnique {
   uint32_t createLevels(const Context& context) {
     std::vector<std::vector<PeelGroup>> steps;
     uint32_t most = 0;
-    bool peels = false;
     context.view.alongPath(context.device, [&] {
-      most = std::max(most, planLevels());
-      std::vector<PeelGroup>& groups = steps.emplace_back();
-      for (size_t i = 0; i < m_levels.size(); ++i)
-        for (const auto& group : m_levels[i].levels.peeled)
-          if (!group.empty()) groups.push_back({.view = i, .instances = group});
-      for (PeelGroup& group : groups)
+      planLevels();
+      most = std::max(most, m_levels.layers());
+      for (PeelGroup& group : steps.emplace_back(m_levels.groups()))
         group.count = LightPeel::countLayers(
             context, *m_maps, group,
-            [&](rhi::CommandList& commands, size_t view) { drawOpaque(commands, view); });
-      peels |= !groups.empty();
+            [&](rhi::CommandList& commands, size_t view) { m_opaque->draw(commands, view); });
     });
-    if (peels) m_peel.emplace(context, *m_maps, std::move(steps), m_cap, m_format);
+    if (std::ranges::any_of(steps, [](const auto& groups) { return !groups.empty(); }))
+      m_peel.emplace(context, *m_maps, std::move(steps), m_cap, m_format);
     return most;
   }
 
-  /// Levels of all views where the camera stands; returns their layers of the colour map.
-  uint32_t planLevels() {
-    const bool peeled = m_partition == "peeled";
-    uint32_t layers = 0;
-    m_levels.assign(m_maps->views().size(), {});
-    for (size_t i = 0; i < m_levels.size(); ++i) {
-      if (m_maps->views()[i].layer() < 0) continue;
-      const LightOverlap overlap = lightOverlap(*m_view, m_maps->views()[i]);
-      LightLevels& levels = m_levels[i].levels;
-      levels = peeled ? onePeeledLevel(overlap) : lightLevels(overlap, m_cap);
-      m_levels[i].firstLayer = layers;
-      if (!peeled) layers += uint32_t(levels.casters.size());
-    }
-    return layers;
-  }
+  void planLevels() { m_levels.plan(*m_view, *m_maps, m_partition == "peeled", m_cap); }
 
   void planParts() {
     if (!m_inParts) return;
-    m_parts.clear();
-    m_before.clear();
-    m_partition == "source" ? planMeshes() : planBatches();
-  }
-
-  /// The source's partition: each mesh alone, with all whose centres are nearer to the light.
-  void planMeshes() {
-    const std::vector<LightOrder> orders = lightOrder(*m_context, *m_maps, "centre");
-    for (const uint32_t mesh : backToFront(*m_view, m_view->effects().visibleTranslucent)) {
-      m_parts.push_back({mesh});
-      auto& before = m_before.emplace_back(orders.size());
-      for (size_t v = 0; v < orders.size(); ++v) {
-        const std::vector<uint32_t>& order = orders[v].instances();
-        before[v].assign(order.begin(), std::ranges::find(order, mesh));
-      }
-    }
-  }
-
-  void planBatches() {
-    std::vector<LightOverlap> overlaps;
-    for (const LightView& view : m_maps->views()) overlaps.push_back(lightOverlap(*m_view, view));
-    const auto order = backToFront(*m_view, m_view->effects().visibleTranslucent);
-    m_parts = lightBatches(order, overlaps);
-    for (const std::vector<uint32_t>& part : m_parts) {
-      auto& before = m_before.emplace_back();
-      for (const LightOverlap& overlap : overlaps) before.push_back(castersBefore(overlap, part));
-    }
+    m_parts =
+        m_partition == "source" ? meshParts(*m_context, *m_maps) : batchParts(*m_view, *m_maps);
   }
 
   void createReceivers(const Context& context) {
@@ -233,40 +165,26 @@ class CompositedTranslucent final : public ShadowTechnique {
       if (m_translucent && !m_levelled)
         behindAll.x = 1 + uint32_t(std::max(0, m_maps->views()[i].layer()));
       if (m_levelled && m_colour.id() != rhi::TextureId{})
-        behindAll.x = layerBehind(i, uint32_t(m_levels[i].levels.casters.size()));
-      else if (const PeelGroup* all = m_levelled ? peelGroup(i, 0) : nullptr)
+        behindAll.x = m_levels.layerBehind(i, uint32_t(m_levels.of(i).casters.size()));
+      else if (const PeelGroup* all = m_levelled ? m_levels.group(m_peel, i, 0) : nullptr)
         behindAll = {0, all->first, all->count, 0};
       table.resize(table.size() + instances, behindAll);
       if (!m_levelled) continue;
-      for (const auto& r : m_levels[i].levels.receivers) {
+      for (const auto& r : m_levels.of(i).receivers) {
         glm::uvec4& entry = table[table.size() - instances + r.instance];
-        entry = {m_colour.id() != rhi::TextureId{} ? layerBehind(i, r.level) : 0, 0, 0, 0};
-        const PeelGroup* group = r.peeled ? peelGroup(i, r.level) : nullptr;
+        entry = {m_colour.id() != rhi::TextureId{} ? m_levels.layerBehind(i, r.level) : 0, 0, 0, 0};
+        const PeelGroup* group = r.peeled ? m_levels.group(m_peel, i, r.level) : nullptr;
         if (group) entry = {entry.x, group->first, group->count, 0};
       }
     }
     return table;
   }
 
-  /// 1 + layer of the colour behind the first `levels` levels; 0 behind none.
-  uint32_t layerBehind(size_t view, uint32_t levels) const {
-    const uint32_t there = uint32_t(m_levels[view].levels.casters.size());
-    return levels == 0 || there == 0 ? 0 : m_levels[view].firstLayer + std::min(levels, there);
-  }
-
-  const PeelGroup* peelGroup(size_t view, uint32_t level) const {
-    if (!m_peel || level >= m_levels[view].levels.peeled.size()) return nullptr;
-    const auto& wanted = m_levels[view].levels.peeled[level];
-    for (const PeelGroup& g : m_peel->groups())
-      if (g.view == view && g.instances == wanted) return &g;
-    return nullptr;
-  }
-
   void recordLevels(Frame& frame, size_t i) {
     if (m_colour.id() == rhi::TextureId{}) return;
-    const ViewLevels& view = m_levels[i];
-    for (uint32_t level = 0; level < view.levels.casters.size(); ++level) {
-      const uint32_t layer = view.firstLayer + level;
+    const std::vector<std::vector<uint32_t>>& casters = m_levels.of(i).casters;
+    for (uint32_t level = 0; level < casters.size(); ++level) {
+      const uint32_t layer = m_levels.layer(i, level);
       if (level > 0)
         frame.commands().copy({.texture = m_colour,
                                .baseMip = 0,
@@ -281,7 +199,7 @@ class CompositedTranslucent final : public ShadowTechnique {
       recordColourPass(
           frame, *m_maps, m_maps->views()[i], m_colour, layer,
           [&](rhi::CommandList& commands) {
-            m_maps->surfaces(i).draw(commands, m_colourPipeline, view.levels.casters[level]);
+            m_maps->surfaces(i).draw(commands, m_colourPipeline, casters[level]);
           },
           level > 0 ? rhi::LoadOp::Load : rhi::LoadOp::Clear);
     }
@@ -313,11 +231,11 @@ class CompositedTranslucent final : public ShadowTechnique {
   rhi::Format m_format = rhi::Format::Undefined;
   rhi::Texture m_colour, m_nearest;
   rhi::Buffer m_receivers;
-  rhi::PipelineId m_opaque, m_perforated, m_colourPipeline, m_nearestPipeline;
-  std::vector<ViewLevels> m_levels;  ///< by view
+  std::optional<OpaqueCasters> m_opaque;
+  rhi::PipelineId m_colourPipeline, m_nearestPipeline;
+  ViewLevels m_levels;
   std::optional<LightPeel> m_peel;
-  std::vector<std::vector<uint32_t>> m_parts;
-  std::vector<std::vector<std::vector<uint32_t>>> m_before;  ///< casters by part and view
+  ReceiverParts m_parts;
   std::vector<rhi::SpecConstant> m_constants;
 };
 

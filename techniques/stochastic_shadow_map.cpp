@@ -7,9 +7,12 @@
 //                      coloured techniques are compared with (spec 17, G10); the default
 //   opacity=alpha      as published: what passes a surface is neither tinted nor counted
 //   msaa=4             each fragment keeps a random subset of the samples, stratified
+#include <algorithm>
+
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/depth_compare.h"
 #include "techniques/common/noise.h"
+#include "techniques/common/opaque_casters.h"
 #include "techniques/common/registry.h"
 
 namespace sb {
@@ -44,8 +47,7 @@ class StochasticShadowMap final : public ShadowTechnique {
       // Opaque casters first: what they hide is tested away early and could not win (spec 03).
       frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
                  [&](rhi::CommandList& commands) {
-                   m_maps->plain(i).draw(commands, m_opaque, view.opaque);
-                   m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+                   m_opaque->draw(commands, i);
                    if (m_translucent)
                      m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
                  });
@@ -79,29 +81,19 @@ class StochasticShadowMap final : public ShadowTechnique {
 
  private:
   void createPipelines(const Context& context) {
-    bool opaque = false, perforated = false, translucent = false;
-    for (const LightView& view : m_maps->views()) {
-      opaque |= !view.opaque.empty();
-      perforated |= !view.perforated.empty();
-      translucent |= !view.translucent.empty();
-    }
-    auto caster = [&](const char* label, const char* fragment, bool masked) {
-      rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(context, label, fragment, masked);
-      desc.samples = m_samples;
-      return desc;
-    };
-    if (opaque) m_opaque = context.pipelines.get(caster("shadow map opaque", "", false));
-    if (perforated)
-      m_perforated =
-          context.pipelines.get(caster("shadow map perforated", "common/masked.frag", true));
+    const auto sampled = [&](rhi::GraphicsPipelineDesc& desc) { desc.samples = m_samples; };
+    m_opaque.emplace(context, *m_maps, sampled);
+    const bool translucent = std::ranges::any_of(
+        m_maps->views(), [](const LightView& view) { return !view.translucent.empty(); });
     if (!context.plan.runs(Effect::TranslucentCasters) || !translucent) return;
     m_noise.emplace(context);
     m_maps->bind(m_noise->binding());
     rhi::GraphicsPipelineDesc desc =
-        caster("shadow map translucent",
-               m_samples > 1 ? "stochastic_shadow_map/samples.frag"
-                             : "stochastic_shadow_map/translucent.frag",
-               false);
+        m_maps->casterPipeline(context, "shadow map translucent",
+                               m_samples > 1 ? "stochastic_shadow_map/samples.frag"
+                                             : "stochastic_shadow_map/translucent.frag",
+                               false);
+    sampled(desc);
     desc.constants.push_back({17, context.knobs.is("opacity", "luminance")});
     if (m_samples > 1) desc.constants.push_back({18, m_samples});
     desc.constants.insert(desc.constants.end(), m_noise->constants().begin(),
@@ -114,7 +106,8 @@ class StochasticShadowMap final : public ShadowTechnique {
   std::optional<Noise> m_noise;
   uint32_t m_samples = 1;
   uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
-  rhi::PipelineId m_opaque, m_perforated, m_translucent;
+  std::optional<OpaqueCasters> m_opaque;
+  rhi::PipelineId m_translucent;
   std::vector<rhi::SpecConstant> m_constants;
 };
 

@@ -11,8 +11,8 @@
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/light_order.h"
+#include "techniques/common/opaque_casters.h"
 #include "techniques/common/registry.h"
-#include "techniques/common/shadow_maps.h"
 #include "techniques/common/translucent_maps.h"
 
 namespace sb {
@@ -28,7 +28,7 @@ class TranslucentShadows final : public ShadowTechnique {
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
     m_constants = ShadowMaps::constants(context.knobs);
     m_constants.push_back({19, m_translucent});
-    createOpaque(context);
+    m_opaque.emplace(context, *m_maps);
     if (m_translucent) createTranslucent(context);
   }
 
@@ -66,20 +66,6 @@ class TranslucentShadows final : public ShadowTechnique {
   LookupReach reach(uint32_t light) const override { return m_maps->reach(light); }
 
  private:
-  void createOpaque(const Context& context) {
-    bool opaque = false, perforated = false;
-    for (const LightView& view : m_maps->views()) {
-      opaque |= !view.opaque.empty();
-      perforated |= !view.perforated.empty();
-    }
-    if (opaque)
-      m_opaque =
-          context.pipelines.get(m_maps->casterPipeline(context, "shadow map opaque", "", false));
-    if (perforated)
-      m_perforated = context.pipelines.get(
-          m_maps->casterPipeline(context, "shadow map perforated", "common/masked.frag", true));
-  }
-
   void createTranslucent(const Context& context) {
     const uint32_t variant =
         uint32_t(std::ranges::find(kVariants, context.knobs.text("variant")) - kVariants.begin());
@@ -106,10 +92,7 @@ class TranslucentShadows final : public ShadowTechnique {
     const LightView& view = m_maps->views()[i];
     rhi::DepthAttachment depth = m_maps->depthAttachment(view);
     frame.pass({.label = "shadow map", .depth = depth}, PassGroup::Shadow,
-               [&](rhi::CommandList& commands) {
-                 m_maps->plain(i).draw(commands, m_opaque, view.opaque);
-                 m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
-               });
+               [&](rhi::CommandList& commands) { m_opaque->draw(commands, i); });
     if (!m_translucent) return;
     depth.view.texture = m_depth;
     frame.pass({.label = "translucent depth", .depth = depth}, PassGroup::Shadow,
@@ -129,7 +112,8 @@ class TranslucentShadows final : public ShadowTechnique {
   bool m_translucent = false;
   rhi::Format m_colourFormat = rhi::Format::Undefined;
   rhi::Texture m_depth, m_colour;
-  rhi::PipelineId m_opaque, m_perforated, m_depthPipeline, m_colourPipeline;
+  std::optional<OpaqueCasters> m_opaque;
+  rhi::PipelineId m_depthPipeline, m_colourPipeline;
   std::vector<LightOrder> m_order;  ///< of each view, where order matters
   std::vector<rhi::SpecConstant> m_constants;
 };
@@ -147,7 +131,8 @@ std::vector<KnobInfo> knobs() {
   return list;
 }
 
-/// Where the variants that are no product of tau = 1 - alpha (1 - t) differ from the truth (spec 02).
+/// Where the variants that are no product of tau = 1 - alpha (1 - t) differ from the truth (spec
+/// 02).
 std::map<std::string, std::string> otherLaws() {
   std::map<std::string, std::string> breaks;
   for (const std::string& variant : kVariants)

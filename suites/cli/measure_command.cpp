@@ -35,8 +35,8 @@ void onInterrupt(int signal) {
 
 bool isQuick(const Options& options) {
   const Selection& s = options.selection;
-  return options.suite.empty() && s.techniques.empty() && s.backends.empty() && s.scenes.empty() && s.sets.empty() &&
-         s.edits.empty() && s.filter.empty() && !s.size;
+  return options.suite.empty() && s.techniques.empty() && s.backends.empty() && s.scenes.empty() &&
+         s.sets.empty() && s.edits.empty() && s.filter.empty() && !s.size;
 }
 
 /// Opens the devices of all cells. Cells of backends that do not start go, with a warning that says
@@ -70,7 +70,7 @@ void checkScenes(const std::vector<CellId>& cells, report::Run& run) {
 
 MeasureSettings settingsOf(const Options& options, bool quick) {
   MeasureSettings s;
-  s.budgetSeconds = options.budgetSeconds.value_or(quick ? 1 : 3);
+  s.budgetSeconds = options.budgetSeconds.value_or(quick ? 0.7 : 3);
   s.budgetSeconds = std::max(s.budgetSeconds, options.benchmark.minSeconds);
   s.stop.precision = options.precisionPercent.value_or(5) / 100;
   // A minimum of time is a wish for more than precision alone would give.

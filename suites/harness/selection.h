@@ -38,6 +38,6 @@ std::vector<CellId> filterCells(const Selection& selection, const std::vector<Ce
 /// Cells that run interleaved: same scene, size and seed. At most `most` asked-for cells in a
 /// group, a cell's backends always together; baselines that are not asked for are added as
 /// companions.
-std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most = 12);
+std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most = 16);
 
 }  // namespace sb
