@@ -7,15 +7,17 @@
 #include <set>
 #include <utility>
 
+#include "reports/console_names.h"
+
 namespace report {
 namespace {
 
 constexpr size_t kColumns = 14;
 using Row = std::array<std::string, kColumns>;
 
-const Row kHeader = {"cell",         "frame ms", "CPU ms",    "±",         "x none [95 %]",
-                     "x other API",  "error",    "noise",     "FLIP",      "shadow ms",
-                     "scene ms",     "passes/draws", "MiB",   "picture"};
+const Row kHeader = {"cell",        "frame ms",     "CPU ms", "±",      "x none [95 %]",
+                     "x other API", "error",        "noise",  "FLIP",   "shadow ms",
+                     "scene ms",    "passes/draws", "MiB",    "picture"};
 
 /// Drivers' texts have line breaks.
 std::string oneLine(std::string text) {
@@ -49,10 +51,10 @@ std::string verified(const Record& r) {
   return text;
 }
 
-Row rowOf(const Record& r) {
+Row rowOf(const Record& r, CellNames& names) {
   Row row;
   row.fill("-");
-  row.front() = r.name;
+  row.front() = names.shown(r);
   row.back() = verified(r);
   if (r.status != Status::Ok) return row;
   row[1] = median(r.frame);
@@ -146,8 +148,9 @@ std::string warnings(const Run& run) {
 
 std::string toTable(const Run& run) {
   std::vector<Row> rows = {kHeader};
-  for (const Record& r : run.records) rows.push_back(rowOf(r));
-  return lines(rows) + legend(run) + warnings(run);
+  CellNames names;
+  for (const Record& r : run.records) rows.push_back(rowOf(r, names));
+  return lines(rows) + names.legend() + legend(run) + warnings(run);
 }
 
 }  // namespace report

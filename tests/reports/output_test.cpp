@@ -62,6 +62,19 @@ TEST(Output, TableNeverSaysGpuOfASoftwareDevice) {
   EXPECT_EQ(toTable(sampleRun()).find("GPU"), std::string::npos);
 }
 
+TEST(Console, LongScenesAreNumbered) {
+  report::Run run = sampleRun();
+  const std::string scene = "../a/Hall.gltf?curtain*:alpha=0.5,t=0.9,0.1,0.1;sun:direction=0,-1,0";
+  for (Record& r : run.records) {
+    r.name.replace(r.name.find(r.scene), r.scene.size(), scene);
+    r.scene = scene;
+  }
+  const std::string table = toTable(run);
+  EXPECT_NE(table.find("/Hall.gltf[1]/"), std::string::npos) << table;
+  EXPECT_NE(table.find("[1] = " + scene + "\n"), std::string::npos) << table;
+  EXPECT_EQ(table.find("[2]"), std::string::npos);
+}
+
 TEST(Output, JsonIsExact) {
   const std::string json = toJson(sampleRun());
   EXPECT_EQ(json, expected("run.json", json));
