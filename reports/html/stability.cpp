@@ -15,27 +15,27 @@ namespace {
 using Cases = std::vector<const StabilityRecord*>;
 
 struct Look {
-  const char *style, *mark, *word;
+  const char *style, *mark;
 };
 
 Look lookOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::Pass:
-      return {"holds", "✓", "holds"};
+      return {"holds", "✓"};
     case Verdict::Expected:
-      return {"expected", "◇", "as built"};
+      return {"expected", "◇"};
     case Verdict::Fail:
-      return {"fails", "✕", "FAILS"};
+      return {"fails", "✕"};
     case Verdict::Skipped:
       break;
   }
-  return {"unasked", "–", "not run"};
+  return {"unasked", "–"};
 }
 
 std::string verdictHtml(Verdict verdict) {
   const Look look = lookOf(verdict);
   return fmt::format("<span class=\"verdict {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     look.style, look.mark, look.word);
+                     look.style, look.mark, verdictName(verdict));
 }
 
 int rank(Verdict v) {

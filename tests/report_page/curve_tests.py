@@ -43,7 +43,7 @@ class Curves(Page):
 
     def test_verdicts_open_to_what_was_found(self):
         cell = self.find(".verdicts tbody tr:nth-child(2) td:nth-child(3)")
-        self.assertEqual(cell.text, "✕ FAILS 1/2")
+        self.assertEqual(cell.text, "✕ FAIL 1/2")
         cell.find_element("css selector", "summary").click()
         for words in ("half a step", "no number at offset, m 1000000", "why of G2", "must hold"):
             self.assertIn(words, cell.text)

@@ -216,7 +216,7 @@ TEST_F(Html, HardCasesHaveVerdictsDetailsAndCurves) {
   const std::string text = markup(page(run));
   EXPECT_EQ(text.find("The run has no cells."), std::string::npos);
   for (const char* part :
-       {"3 hard cases: 1 ", "FAILS</span> 1/2", "far &lt;away&gt;", "no number at offset 2",
+       {"3 hard cases: 1 ", "FAIL</span> 1/2", "far &lt;away&gt;", "no number at offset 2",
         "0.5: rounding", "by construction", "<dt>breaks at</dt><dd>offset 2</dd>",
         "href=\"#stability\"", "data-technique=\"CSSM2+Sorted\""})
     EXPECT_NE(text.find(part), std::string::npos) << part;
