@@ -27,7 +27,7 @@ class CompositedTranslucent final : public ShadowTechnique {
   void prepare(const Context& context) override {
     m_view = &context.view;
     m_context.emplace(context);
-    m_maps.emplace(context, 0.0f);
+    m_maps.emplace(context, 0.0f, DepthShape{.reachTranslucent = true});
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
     m_opaque.emplace(context, *m_maps);
     if (m_translucent) createTranslucent(context);
@@ -258,6 +258,9 @@ std::vector<KnobInfo> knobs() {
   return list;
 }
 
+constexpr const char* kByCentres = "meshes are taken one by one, in the order of their centres";
+constexpr const char* kOneMesh = "a mesh has one map, in which it does not shadow itself";
+
 bool makesMapsBetween(const Knobs& knobs) {
   return knobs.is("partition", "source") || knobs.is("partition", "batches");
 }
@@ -278,6 +281,11 @@ REGISTER_TECHNIQUE(
         .knobs = knobs(),
         .error = "edges move by half a texel; partition source orders by centres, and "
                  "coplanar layers peel as one",
+        .breaksIn = {{"coplanar partition:peeled", "layers of one depth peel as one"},
+                     {"cycle partition:source", kByCentres},
+                     {"crossing partition:source", kByCentres},
+                     {"closed partition:source", kOneMesh},
+                     {"closed partition:batches", kOneMesh}},
         .drawsInParts = makesMapsBetween}));
 
 }  // namespace

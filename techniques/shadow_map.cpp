@@ -79,6 +79,8 @@ std::vector<KnobInfo> knobs() {
   return list;
 }
 
+constexpr const char* kSlopes = "one bias for all slopes is too small for steep ones";
+
 REGISTER_TECHNIQUE(
     ShadowTechnique, ShadowMap,
     (TechniqueInfo{
@@ -89,7 +91,10 @@ REGISTER_TECHNIQUE(
         .represents = kShadingEffects | EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters},
         .knobs = knobs(),
         .error = "translucent casters cast all or nothing; edges move by half a texel; "
-                 "the filter blurs, it makes no penumbra"}));
+                 "the filter blurs, it makes no penumbra",
+        .breaksIn = {{"G11 bias:constant", kSlopes},
+                     {"H3 bias:constant", kSlopes},
+                     {"sheet bias:constant", kSlopes}}}));
 
 }  // namespace
 }  // namespace sb

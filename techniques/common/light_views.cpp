@@ -129,11 +129,15 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
 
   // Depth: receivers decide; casters nearer to the light are clamped to the near plane.
   double top = box.max.z, low = box.min.z;
-  if (!in.settings.depthClamp)
-    for (const auto* list :
-         {&effects.opaqueCasters, &effects.perforatedCasters, &effects.translucentCasters})
-      for (uint32_t i : *list)
-        top = std::max(top, instanceBounds(in.scene, i, in.camera.eye(), axes).max.z);
+  const auto reach = [&](const std::vector<uint32_t>& casters) {
+    for (uint32_t i : casters)
+      top = std::max(top, instanceBounds(in.scene, i, in.camera.eye(), axes).max.z);
+  };
+  if (!in.settings.depthClamp) {
+    reach(effects.opaqueCasters);
+    reach(effects.perforatedCasters);
+  }
+  if (!in.settings.depthClamp || in.settings.reachTranslucent) reach(effects.translucentCasters);
   const double margin = (top - low) * 0.01 + texel;
   top += margin;
   low -= margin;

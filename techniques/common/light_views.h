@@ -29,6 +29,9 @@ struct LightFitSettings {
   LightFit fit = LightFit::Tight;
   float depthStep = 0;     ///< of the map's format at depth 1
   bool depthClamp = true;  ///< Feature::DepthClamp; without it near reaches to the casters
+  /// Translucent casters keep depths of their own: near reaches to them, for what is clamped to it
+  /// has one depth, and peels as one layer.
+  bool reachTranslucent = false;
 };
 
 /// One layer to render and to look up.

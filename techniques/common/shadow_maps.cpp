@@ -10,30 +10,53 @@ namespace sb {
 
 std::vector<KnobInfo> shadowMapKnobs(const std::string& defaultKernel) {
   return {
-      {.name = "size", .unit = "texels", .help = "width and height of a shadow map",
-       .fallback = "1024", .min = 4, .max = 16384, .sweep = {"256", "512", "1024", "2048", "4096"}},
-      {.name = "kernel", .unit = "texels", .help = "width of the percentage-closer filter",
-       .fallback = defaultKernel, .min = 1, .max = 63, .odd = true,
+      {.name = "size",
+       .unit = "texels",
+       .help = "width and height of a shadow map",
+       .fallback = "1024",
+       .min = 4,
+       .max = 16384,
+       .sweep = {"256", "512", "1024", "2048", "4096"}},
+      {.name = "kernel",
+       .unit = "texels",
+       .help = "width of the percentage-closer filter",
+       .fallback = defaultKernel,
+       .min = 1,
+       .max = 63,
+       .odd = true,
        .sweep = {"1", "3", "5", "9", "15"}},
-      {.name = "shape", .help = "weights of the filter", .fallback = "box",
+      {.name = "shape",
+       .help = "weights of the filter",
+       .fallback = "box",
        .choices = {"box", "tent"}},
-      {.name = "bias", .help = "what keeps a lit surface from shadowing itself",
-       .fallback = "plane", .choices = {"plane", "slope", "normal", "constant"}},
-      {.name = "fit", .help = "light frustum: tight around what is seen, or of constant extent",
-       .fallback = "tight", .choices = {"tight", "stable"}},
-      {.name = "depth", .help = "format of the depth map", .fallback = "d32f",
-       .choices = {"d16", "d24", "d32f"}, .sweep = {"d16", "d24", "d32f"}},
+      {.name = "bias",
+       .help = "what keeps a lit surface from shadowing itself",
+       .fallback = "plane",
+       .choices = {"plane", "slope", "normal", "constant"}},
+      {.name = "fit",
+       .help = "light frustum: tight around what is seen, or of constant extent",
+       .fallback = "tight",
+       .choices = {"tight", "stable"}},
+      {.name = "depth",
+       .help = "format of the depth map",
+       .fallback = "d32f",
+       .choices = {"d16", "d24", "d32f"},
+       .sweep = {"d16", "d24", "d32f"}},
   };
 }
 
 float depthStep(rhi::Format format) {
   switch (format) {
-    case rhi::Format::RGB10A2Unorm: return 0x1p-10f;
+    case rhi::Format::RGB10A2Unorm:
+      return 0x1p-10f;
     case rhi::Format::D16Unorm:
-    case rhi::Format::RGBA16Unorm: return 0x1p-16f;
+    case rhi::Format::RGBA16Unorm:
+      return 0x1p-16f;
     case rhi::Format::D24Unorm:
-    case rhi::Format::D24UnormS8: return 0x1p-24f;
-    default: return 0;  // floats keep the depth that was computed
+    case rhi::Format::D24UnormS8:
+      return 0x1p-24f;
+    default:
+      return 0;  // floats keep the depth that was computed
   }
 }
 
@@ -57,12 +80,13 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
   if (m_depthFormat == rhi::Format::D24Unorm &&
       !context.device.formatCaps(m_depthFormat).depthTarget)
     m_depthFormat = rhi::Format::D24UnormS8;
-  context.view.fitLightViews(
-      context.device, {.mapSize = m_size,
-                       .guardTexels = std::min(knobs.integer("kernel") / 2 + 2, m_size / 4),
-                       .fit = knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
-                       .depthStep = std::max(step, depthStep(m_depthFormat)),
-                       .depthClamp = context.device.supports(rhi::Feature::DepthClamp)});
+  context.view.fitLightViews(context.device,
+                             {.mapSize = m_size,
+                              .guardTexels = std::min(knobs.integer("kernel") / 2 + 2, m_size / 4),
+                              .fit = knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,
+                              .depthStep = std::max(step, depthStep(m_depthFormat)),
+                              .depthClamp = context.device.supports(rhi::Feature::DepthClamp),
+                              .reachTranslucent = shape.reachTranslucent});
   m_layers = uint32_t(std::ranges::count_if(views(), [](auto& v) { return v.layer() >= 0; }));
 
   if (std::ranges::count(context.device.formatCaps(m_depthFormat).sampleCounts, shape.samples) == 0)
@@ -89,10 +113,10 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
     const uint32_t ids[4] = {i, 0, 0, 0};
     std::memcpy(blocks.data() + i * m_passStride, ids, sizeof ids);
   }
-  m_passBlocks = context.device.createBuffer(
-      {.label = "shadow map passes",
-       .size = blocks.size(),
-       .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
+  m_passBlocks =
+      context.device.createBuffer({.label = "shadow map passes",
+                                   .size = blocks.size(),
+                                   .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
   context.device.upload(m_passBlocks, 0, blocks);
   for (size_t i = 0; i < views().size(); ++i) {
     m_plain.emplace_back(m_view, std::vector{passBlock(i)}, false);
@@ -109,15 +133,14 @@ rhi::Texture ShadowMaps::createLike(const Context& context, const std::string& l
                      "the device cannot " + std::string(depth ? "render to " : "blend into ") +
                          std::string(rhi::formatInfo(format).name));
   using U = rhi::TextureUse;
-  return context.device.createTexture(
-      {.label = label,
-       .kind = rhi::TextureKind::Tex2DArray,
-       .format = format,
-       .width = m_size,
-       .height = m_size,
-       .layers = layers > 0 ? layers : std::max(1u, m_layers),
-       .use = (depth ? U::DepthTarget : U::ColorTarget) | U::Sampled | U::CopySource |
-              U::CopyTarget});
+  return context.device.createTexture({.label = label,
+                                       .kind = rhi::TextureKind::Tex2DArray,
+                                       .format = format,
+                                       .width = m_size,
+                                       .height = m_size,
+                                       .layers = layers > 0 ? layers : std::max(1u, m_layers),
+                                       .use = (depth ? U::DepthTarget : U::ColorTarget) |
+                                              U::Sampled | U::CopySource | U::CopyTarget});
 }
 
 void ShadowMaps::clear(const Context& context, const rhi::Texture& map) {
@@ -172,8 +195,7 @@ rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
   const bool surface = !fragment.empty();
   rhi::GraphicsPipelineDesc desc{
       .label = label,
-      .vertex =
-          &context.shaders.get(surface ? "common/light_surface.vert" : "common/light.vert"),
+      .vertex = &context.shaders.get(surface ? "common/light_surface.vert" : "common/light.vert"),
       .fragment = surface ? &context.shaders.get(fragment) : nullptr,
       .vertexBuffers = GpuScene::vertexLayout(surface),
       .attributes = GpuScene::vertexAttributes(surface),

@@ -19,6 +19,7 @@ constexpr EffectSet kShadingEffects = {Effect::MultipleLights, Effect::LocalLigh
 struct DepthShape {
   uint32_t layersPerView = 1;
   uint32_t samples = 1;
+  bool reachTranslucent = false;  ///< see LightFitSettings
 };
 
 class ShadowMaps {
@@ -42,7 +43,8 @@ class ShadowMaps {
   static void clear(const Context& context, const rhi::Texture& map);
   rhi::SamplerId pointSampler() const { return m_pointSampler; }
 
-  /// Half a lookup's width for a light: texels of the filter, and where in its texel a receiver lies.
+  /// Half a lookup's width for a light: texels of the filter, and where in its texel a receiver
+  /// lies.
   LookupReach reach(uint32_t sceneLight) const;
 
   /// Constants 16..18 of light_space.glsl from the knobs.

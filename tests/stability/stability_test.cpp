@@ -45,6 +45,15 @@ GPU_TEST(Stability, WhatATechniqueCannotShowIsFound) {
   }
 }
 
+GPU_TEST(Stability, PeeledCastersBeforeTheViewKeepTheirDepths) {
+  // The camera sees the floor alone: what is clamped to the near plane would peel as one layer.
+  const DeviceContext context = test::cellDevice(device()).context();
+  const StabilityJob job{
+      "layers", "CompositedTranslucent", "Sorted", backend(), {{"partition", "peeled"}}};
+  const report::StabilityRecord record = runStability(job, context, nullptr, true);
+  EXPECT_EQ(record.verdict, report::Verdict::Pass) << record.worst()->value;
+}
+
 TEST(StabilityJobs, AreNamedAndSelected) {
   const auto all = stabilityJobs({.backends = {"vulkan"}});
   size_t moved = 0;
