@@ -162,7 +162,8 @@ REGISTER_TECHNIQUE(
                                 Effect::TranslucentOverlap},
         .knobs = knobs(),
         .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
-        .stochastic = true}));
+        .stochastic = true,
+        .breaksIn = sourceNoiseBreaks()}));
 
 }  // namespace
 }  // namespace sb

@@ -85,8 +85,9 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
   void createColours(const Context& context) {
     const rhi::FormatCaps caps = context.device.formatCaps(m_colourFormat);
     if (!caps.colorTarget || !caps.blend)
-      throw rhi::Error("CSSM2", "", std::string("the device cannot blend into ") +
-                                        std::string(rhi::formatInfo(m_colourFormat).name));
+      throw rhi::Error("CSSM2", "",
+                       std::string("the device cannot blend into ") +
+                           std::string(rhi::formatInfo(m_colourFormat).name));
     if (std::ranges::count(caps.sampleCounts, m_samples) == 0 ||
         (m_samples > 1 && !context.device.supports(rhi::Feature::SampleRateShading)))
       throw rhi::Error("CSSM2", "",
@@ -157,16 +158,14 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
       colour.view = depth.view;
       colour.view.texture = m_colours;
     }
-    frame.pass({.label = "shadow map",
-                .colors = std::span(&colour, m_coloured ? 1 : 0),
-                .depth = depth},
-               PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                 DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
-                 plain.draw(commands, m_opaque, view.opaque);
-                 m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
-                 if (m_translucent)
-                   m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
-               });
+    frame.pass(
+        {.label = "shadow map", .colors = std::span(&colour, m_coloured ? 1 : 0), .depth = depth},
+        PassGroup::Shadow, [&](rhi::CommandList& commands) {
+          DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
+          plain.draw(commands, m_opaque, view.opaque);
+          m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
+          if (m_translucent) m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+        });
   }
 
   std::optional<ShadowMaps> m_maps;
@@ -200,20 +199,20 @@ std::vector<KnobInfo> knobs() {
 
 REGISTER_TECHNIQUE(
     ShadowTechnique, ColouredStochasticShadowMap,
-    (TechniqueInfo{.name = "CSSM2",
-                   .folder = "cssm2",
-                   .title = "Coloured stochastic shadow maps, three depths a texel",
-                   .paper = "McGuire, Enderton 2011",
-                   .represents = kShadingEffects |
-                                 EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
-                                           Effect::TranslucentCasters,
-                                           Effect::ColouredTransmission,
-                                           Effect::TexturedTransmission,
-                                           Effect::TranslucentReceivers,
-                                           Effect::TranslucentOverlap},
-                   .knobs = knobs(),
-                   .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
-                   .stochastic = true}));
+    (TechniqueInfo{
+        .name = "CSSM2",
+        .folder = "cssm2",
+        .title = "Coloured stochastic shadow maps, three depths a texel",
+        .paper = "McGuire, Enderton 2011",
+        .represents = kShadingEffects |
+                      EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
+                                Effect::TranslucentCasters, Effect::ColouredTransmission,
+                                Effect::TexturedTransmission, Effect::TranslucentReceivers,
+                                Effect::TranslucentOverlap},
+        .knobs = knobs(),
+        .error = "none in expectation; noise at finite kernels, edges blurred by the kernel",
+        .stochastic = true,
+        .breaksIn = sourceNoiseBreaks()}));
 
 }  // namespace
 }  // namespace sb

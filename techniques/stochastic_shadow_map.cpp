@@ -125,6 +125,14 @@ std::vector<KnobInfo> knobs() {
   return list;
 }
 
+std::map<std::string, std::string> breaks() {
+  std::map<std::string, std::string> breaks = sourceNoiseBreaks();
+  for (const char* id : {"G10", "H7", "batch trap", "certain", "closed", "crossing", "cycle"})
+    breaks[id + std::string(" opacity:alpha")] =
+        "opacity=alpha blocks by opacity, whatever passes through the surface";
+  return breaks;
+}
+
 REGISTER_TECHNIQUE(
     ShadowTechnique, StochasticShadowMap,
     (TechniqueInfo{
@@ -139,7 +147,8 @@ REGISTER_TECHNIQUE(
         .knobs = knobs(),
         .error = "coloured transmission becomes grey; none in expectation otherwise; noise at "
                  "finite kernels, edges blurred by the kernel",
-        .stochastic = true}));
+        .stochastic = true,
+        .breaksIn = breaks()}));
 
 }  // namespace
 }  // namespace sb

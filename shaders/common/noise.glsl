@@ -55,8 +55,11 @@ vec4 stratifiedNumbers(uvec2 texel, uint key, uint sampleIndex, uint seed, uvec4
   for (uint c = 0u; c < 4u; ++c)
     place[c] = permuted(j, count, pcg4d(uvec4(block.x | (block.y << 16), key, sampleIndex * 4u + c,
                                               seed ^ 0x57A7u)));
-  // 12 bits within a part: with at most 12 of the place they are a float, and 1 is never reached.
-  vec4 xi = (vec4(place) + vec4(h >> 20u) * (1.0 / 4096.0)) / float(count);
+  // Place and the number within a part share a float's 24 bits: their sum is exact, and stays in
+  // its part.
+  int bits = findMSB(count - 1u) + 1;
+  float unit = uintBitsToFloat(uint(103 + bits) << 23);  // 2^(bits - 24)
+  vec4 xi = (vec4(place) + vec4(h >> uint(8 + bits)) * unit) / float(count);
   return min(xi, vec4(1.0 - 1.0 / 16777216.0));
 }
 

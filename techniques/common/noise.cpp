@@ -34,6 +34,19 @@ KnobInfo channelNumbersKnob() {
           .choices = {"independent", "shared"}};
 }
 
+std::map<std::string, std::string> sourceNoiseBreaks() {
+  std::map<std::string, std::string> breaks;
+  for (const char* id : {"G1", "G2", "H2"})
+    breaks[id + std::string(" noise:source")] =
+        "the source's pattern hangs on place and scale of the world";
+  for (const char* id : {"G10", "H7", "alpha", "certain", "cut-out"})
+    breaks[id + std::string(" noise:source")] = "the source's 256 levels block where p = 0";
+  for (const char* id : {"between", "coplanar", "layers"})
+    breaks[id + std::string(" noise:source")] =
+        "the source's numbers belong to places, not to surfaces: layers share them";
+  return breaks;
+}
+
 Noise::Noise(const Context& context) {
   const std::string& kind = context.knobs.text("noise");
   m_independent = kind == "hash";

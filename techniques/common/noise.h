@@ -17,6 +17,9 @@ KnobInfo noiseKnob();
 /// Knob numbers of techniques with three channels.
 KnobInfo channelNumbersKnob();
 
+/// Hard cases that noise=source does not pass by construction, for TechniqueInfo::breaksIn.
+std::map<std::string, std::string> sourceNoiseBreaks();
+
 class Noise {
  public:
   /// By knob noise. Creates a tile only for kinds that read one.
