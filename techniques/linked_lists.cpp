@@ -1,10 +1,10 @@
 // Per-pixel linked lists (Yang, Hensley, Gruen, Thibieroz 2010); spec 15, E. Each surface is shaded
 // once and its fragments are put into lists, one a pixel; a full-screen pass sorts them by depth
 // and persistent key and composes them. Two passes; 16 or 20 bytes a fragment. The `layers` nearest
-// are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. The pool holds as many
-// fragments as were counted when it was made; beyond a smaller one that is asked for, or beyond what
-// the device allows, they are dropped, counted and reported. nodes=rgba8 clamps
-// colours to 1 and shows bands where little comes through.
+// are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. The pool holds as
+// many fragments as were counted when it was made; beyond a smaller one that is asked for, or
+// beyond what the device allows, they are dropped, counted and reported. nodes=rgba8 clamps colours
+// to 1 and shows bands where little comes through.
 #include <algorithm>
 #include <cstring>
 
@@ -96,9 +96,9 @@ class LinkedLists final : public TransparencyTechnique {
     DrawList draws = camera.drawListWith({});
     rhi::CommandList& commands = context.device.beginFrame();
     {
-      rhi::PassScope pass = commands.beginPass(
-          {.label = "list fragments",
-           .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
+      rhi::PassScope pass =
+          commands.beginPass({.label = "list fragments",
+                              .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
       query.count(commands, [&] { draws.draw(commands, pipeline, camera.translucent()); });
     }
     context.device.wait(context.device.endFrame());
@@ -133,35 +133,35 @@ class LinkedLists final : public TransparencyTechnique {
   DrawList m_draws;
 };
 
-REGISTER_TECHNIQUE(TransparencyTechnique, LinkedLists,
-                   (TechniqueInfo{
-                       .name = "LinkedLists",
-                       .folder = "linked_lists",
-                       .title = "Per-pixel linked lists, sorted",
-                       .paper = "Yang, Hensley, Gruen, Thibieroz 2010",
-                       .represents = {Effect::CameraTransparency, Effect::CameraLayers},
-                       .requires_ = {rhi::Feature::FragmentStoresAndAtomics,
-                                     rhi::Feature::PreciseOcclusion},
-                       .knobs = {{.name = "layers",
-                                  .help = "nearest layers that are sorted; the rest is averaged",
-                                  .fallback = "16",
-                                  .choices = {"8", "16", "32", "64"},
-                                  .sweep = {"8", "16", "32"}},
-                                 {.name = "nodes",
-                                  .help = "format of a fragment's colour",
-                                  .fallback = "rgba16f",
-                                  .choices = {"rgba8", "rgba16f"},
-                                  .sweep = {"rgba8", "rgba16f"}},
-                                 {.name = "pool",
-                                  .unit = "fragments/pixel",
-                                  .help = "size of the pool of nodes, on average over the picture; "
-                                          "0: as many as there are, counted beforehand",
-                                  .fallback = "0",
-                                  .min = 0,
-                                  .max = 256}},
-                       .error = "none up to the number of layers; the average of deeper ones",
-                       .breaksIn = {{"camera layers",
-                                     "layers behind the nearest `layers` are averaged"}}}));
+REGISTER_TECHNIQUE(
+    TransparencyTechnique, LinkedLists,
+    (TechniqueInfo{
+        .name = "LinkedLists",
+        .folder = "linked_lists",
+        .title = "Per-pixel linked lists, sorted",
+        .paper = "Yang, Hensley, Gruen, Thibieroz 2010",
+        .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+        .requires_ = {rhi::Feature::FragmentStoresAndAtomics, rhi::Feature::PreciseOcclusion},
+        .knobs = {{.name = "layers",
+                   .help = "nearest layers that are sorted; the rest is averaged",
+                   .fallback = "16",
+                   .choices = {"8", "16", "32", "64"},
+                   .sweep = {"8", "16", "32"}},
+                  {.name = "nodes",
+                   .help = "format of a fragment's colour",
+                   .fallback = "rgba16f",
+                   .choices = {"rgba8", "rgba16f"},
+                   .sweep = {"rgba8", "rgba16f"}},
+                  {.name = "pool",
+                   .unit = "fragments/pixel",
+                   .help = "size of the pool of nodes, on average over the picture; "
+                           "0: as many as there are, counted beforehand",
+                   .fallback = "0",
+                   .min = 0,
+                   .max = 256}},
+        .error = "none up to the number of layers; the average of deeper ones",
+        .breaksIn = {{"camera layers", "layers behind the nearest `layers` are averaged"},
+                     {"camera 0/1 nodes:rgba8", "colours are rounded to 8 bits"}}}));
 
 }  // namespace
 }  // namespace sb
