@@ -20,11 +20,9 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   void prepare(const Context& context) override {
     m_coloured = context.plan.runs(Effect::TranslucentCasters);
     m_samples = context.knobs.integer("msaa");
-    if (m_samples > 1 && context.knobs.is("compare", "hardware"))
-      throw rhi::Error("CSSM1", "", "no hardware compares maps of several samples a texel");
     m_maps.emplace(context, 0.0f,
                    DepthShape{.layersPerView = m_coloured ? kChannels : 1, .samples = m_samples});
-    if (m_samples == 1) m_compare.emplace(context, *m_maps);
+    m_compare.emplace(context, *m_maps, m_samples);
     // A geometry shader makes the copies where a vertex shader cannot pick the layer.
     m_geometry = context.knobs.is("layered", "geometry") ||
                  !context.device.supports(rhi::Feature::VertexLayer);
@@ -35,16 +33,8 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
     }
     createPipelines(context);
     m_constants = ShadowMaps::constants(context.knobs);
-    if (m_compare)
-      m_constants.insert(m_constants.end(), m_compare->constants().begin(),
-                         m_compare->constants().end());
-    m_constants.push_back({21, m_samples});
     m_constants.push_back({22, m_coloured});
-    // Samples of one texel share a number and bilinear taps weigh unequally: no trials there.
-    const uint32_t kernel = context.knobs.integer("kernel");
-    const bool equal =
-        m_samples == 1 && context.knobs.is("shape", "box") && context.knobs.is("compare", "manual");
-    m_trials = m_noise && equal && m_noise->independent() ? kernel * kernel : 0;
+    m_trials = m_noise && m_noise->independent() ? m_compare->equalTexels() : 0;
   }
 
   void record(Frame& frame) override {
@@ -62,17 +52,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   }
 
   VisibilityInputs inputs() const override {
-    VisibilityInputs inputs{.bindings = {},
-                            .reads = {rhi::use(m_maps->depth().id(), rhi::Access::Sampled)},
-                            .constants = m_constants};
-    if (m_compare) {
-      inputs.bindings = m_compare->bindings(*m_maps);
-    } else {
-      inputs.bindings = {
-          rhi::textureAt(TEXTURE_TECHNIQUE, m_maps->depth(), m_maps->pointSampler())};
-      inputs.folder = "cssm1_samples";
-    }
-    return inputs;
+    return m_compare->inputs(*m_maps, m_constants, "cssm1_samples");
   }
 
   std::vector<std::pair<std::string, rhi::TextureId>> maps() const override {
@@ -121,7 +101,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   }
 
   std::optional<ShadowMaps> m_maps;
-  std::optional<DepthCompare> m_compare;  ///< of maps of one sample a texel
+  std::optional<DepthCompare> m_compare;
   std::optional<Noise> m_noise;
   bool m_coloured = false;
   bool m_geometry = false;

@@ -27,8 +27,6 @@ class ShadowMap final : public ShadowTechnique {
     if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
     m_compare.emplace(context, *m_maps);
     m_constants = ShadowMaps::constants(context.knobs);
-    m_constants.insert(m_constants.end(), m_compare->constants().begin(),
-                       m_compare->constants().end());
   }
 
   void record(Frame& frame) override {
@@ -45,11 +43,7 @@ class ShadowMap final : public ShadowTechnique {
     }
   }
 
-  VisibilityInputs inputs() const override {
-    return {.bindings = m_compare->bindings(*m_maps),
-            .reads = {rhi::use(m_maps->depth().id(), rhi::Access::Sampled)},
-            .constants = m_constants};
-  }
+  VisibilityInputs inputs() const override { return m_compare->inputs(*m_maps, m_constants); }
 
   std::vector<std::pair<std::string, rhi::TextureId>> maps() const override {
     return {{"depth", m_maps->depth()}};

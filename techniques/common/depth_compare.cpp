@@ -13,7 +13,16 @@ KnobInfo compareKnob(const std::string& fallback) {
           .choices = {"hardware", "manual"}};
 }
 
-DepthCompare::DepthCompare(const Context& context, const ShadowMaps& maps) {
+DepthCompare::DepthCompare(const Context& context, const ShadowMaps& maps, uint32_t samples)
+    : m_samples(samples) {
+  const Knobs& knobs = context.knobs;
+  const bool hardware = knobs.is("compare", "hardware");
+  if (samples > 1 && hardware)
+    throw rhi::Error("knob compare", "", "no hardware compares maps of several samples a texel");
+  const uint32_t kernel = knobs.integer("kernel");
+  if (samples == 1 && !hardware && knobs.is("shape", "box")) m_equalTexels = kernel * kernel;
+  m_constants = {{21, samples}};
+  if (samples > 1) return;
   const bool filters = context.device.formatCaps(maps.depthFormat()).linearFilter;
   m_sampler = context.device.createSampler(
       {.label = "shadow map compare",
@@ -22,12 +31,23 @@ DepthCompare::DepthCompare(const Context& context, const ShadowMaps& maps) {
        .addressV = rhi::AddressMode::ClampToBorder,
        .border = rhi::BorderColor::TransparentBlack,  // outside the map is lit (spec 01, P1)
        .compare = rhi::CompareOp::GreaterOrEqual});
-  m_constants = {{19, context.knobs.is("compare", "hardware")}, {20, !filters}};
+  m_constants.push_back({19, hardware});
+  m_constants.push_back({20, !filters});
 }
 
-std::vector<rhi::Binding> DepthCompare::bindings(const ShadowMaps& maps) const {
-  return {rhi::textureAt(TEXTURE_TECHNIQUE, maps.depth(), maps.pointSampler()),
-          rhi::textureAt(TEXTURE_TECHNIQUE + 1, maps.depth(), m_sampler)};
+VisibilityInputs DepthCompare::inputs(const ShadowMaps& maps,
+                                      const std::vector<rhi::SpecConstant>& constants,
+                                      const std::string& samplesFolder) const {
+  VisibilityInputs inputs{
+      .bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, maps.depth(), maps.pointSampler())},
+      .reads = {rhi::use(maps.depth().id(), rhi::Access::Sampled)},
+      .constants = constants};
+  inputs.constants.insert(inputs.constants.end(), m_constants.begin(), m_constants.end());
+  if (m_samples > 1)
+    inputs.folder = samplesFolder;
+  else
+    inputs.bindings.push_back(rhi::textureAt(TEXTURE_TECHNIQUE + 1, maps.depth(), m_sampler));
+  return inputs;
 }
 
 }  // namespace sb
