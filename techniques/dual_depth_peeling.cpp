@@ -1,7 +1,9 @@
 // Dual depth peeling (Bavoil, Myers 2008); spec 15, C. Each pass peels two layers, the nearest and
 // the farthest that are left: their depths come from the pass before by MAX blending of
 // (-depth, depth), front layers are blended under, back layers over. One pass without shading, then
-// ceil(k / 2) with three targets. Exact up to `layers`; what is left in the middle beyond that is
+// ceil(k / 2) with three targets. Where the scene has glass, each pass writes its two layers with
+// their weights to four targets beside the bounds; two full-screen passes slide the front one under
+// the others (ColouredLayers) and lay the back one over the picture. Exact up to `layers`; what is left in the middle beyond that is
 // lost. Coplanar surfaces both count, in the order of drawing.
 //   stop=query  runs as many passes as the last frame needed; an occlusion query over the bounds
 //               that are left (a draw of the composite pass) proves that they were enough
@@ -9,7 +11,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/common/camera_pass.h"
+#include "techniques/common/coloured_layers.h"
 #include "techniques/common/pass_queries.h"
 
 namespace sb {
@@ -24,6 +26,13 @@ constexpr rhi::BlendState kMax = {.enabled = true,
                                   .colorOp = rhi::BlendOp::Max,
                                   .dstAlpha = rhi::BlendFactor::One,
                                   .alphaOp = rhi::BlendOp::Max};
+constexpr rhi::BlendState kAdd = {
+    .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
+constexpr rhi::BlendState kMultiply = {.enabled = true,
+                                       .srcColor = rhi::BlendFactor::Zero,
+                                       .dstColor = rhi::BlendFactor::SrcColor,
+                                       .srcAlpha = rhi::BlendFactor::Zero,
+                                       .dstAlpha = rhi::BlendFactor::One};
 // Both sides keep their transmittance in alpha.
 constexpr rhi::BlendState kUnder = {.enabled = true,
                                     .srcColor = rhi::BlendFactor::DstAlpha,
@@ -41,20 +50,29 @@ class DualDepthPeeling final : public TransparencyTechnique {
     m_most = (context.knobs.integer("layers") + 1) / 2;
     m_byQuery = context.knobs.is("stop", "query");
     if (m_byQuery) m_queries = PassQueries(context.device, "dual depth peeling", m_most + 1);
+    m_coloured = context.plan.runs(Effect::ColouredTransparency);
     createTargets(context);
 
     rhi::GraphicsPipelineDesc init = camera.unshadedPipeline("dual_depth_peeling/init.frag");
     init.targets = {{.format = kBoundsFormat, .blend = kMax}};
     m_init = context.pipelines.get(init);
-    rhi::GraphicsPipelineDesc peel = camera.translucentPipeline("dual_depth_peeling");
+    rhi::GraphicsPipelineDesc peel = camera.translucentPipeline(
+        m_coloured ? "dual_depth_peeling/coloured" : "dual_depth_peeling");
     peel.depth = {};
     peel.depthFormat = rhi::Format::Undefined;
     peel.targets = {{.format = kBoundsFormat, .blend = kMax},
                     {.format = CameraPass::kColorFormat, .blend = kUnder},
                     {.format = CameraPass::kColorFormat, .blend = kOver}};
+    if (m_coloured) {
+      const rhi::ColorTargetState light{.format = CameraPass::kColorFormat, .blend = kAdd};
+      const rhi::ColorTargetState weight{.format = CameraPass::kColorFormat, .blend = kMultiply};
+      peel.targets = {peel.targets.front(), light, weight, light, weight};
+      m_layers = ColouredLayers(context, camera);
+    }
     m_peel = context.pipelines.get(peel);
-    m_composite =
-        context.pipelines.get(camera.compositePipeline("dual_depth_peeling/composite.frag"));
+    if (!m_coloured)
+      m_composite =
+          context.pipelines.get(camera.compositePipeline("dual_depth_peeling/composite.frag"));
     rhi::GraphicsPipelineDesc left = camera.compositePipeline("dual_depth_peeling/left.frag");
     left.targets.front() = {.format = CameraPass::kColorFormat, .writeMask = 0};
     if (m_byQuery) m_left = context.pipelines.get(left);
@@ -76,7 +94,12 @@ class DualDepthPeeling final : public TransparencyTechnique {
         frame,
         {.label = "nearest and farthest", .colors = std::span(&bounds, 1), .reads = {&opaque, 1}},
         [&](rhi::CommandList& commands) { m_all.draw(commands, m_init, camera.translucent()); });
-    for (uint32_t i = 0; i < passes; ++i) peel(frame, camera, i);
+    for (uint32_t i = 0; i < passes; ++i) {
+      peel(frame, camera, i);
+      if (!m_coloured) continue;
+      m_layers.slideUnder(frame, {m_front, m_frontBehind}, i == 0);
+      m_layers.layOver(frame, camera, {m_back, m_backBehind});
+    }
     composite(frame, camera, m_bounds[passes % 2]);
   }
 
@@ -104,6 +127,10 @@ class DualDepthPeeling final : public TransparencyTechnique {
     for (rhi::Texture& bounds : m_bounds) bounds = texture("dual peeling bounds", kBoundsFormat);
     m_front = texture("dual peeling front layers", CameraPass::kColorFormat);
     m_back = texture("dual peeling back layers", CameraPass::kColorFormat);
+    if (m_coloured) {
+      m_frontBehind = texture("dual peeling front weights", CameraPass::kColorFormat);
+      m_backBehind = texture("dual peeling back weights", CameraPass::kColorFormat);
+    }
     m_sampler = context.device.createSampler(
         {.label = "dual peeling sampler", .filter = rhi::Filter::Nearest});
   }
@@ -120,10 +147,16 @@ class DualDepthPeeling final : public TransparencyTechnique {
 
   void peel(Frame& frame, CameraPass& camera, uint32_t i) {
     const rhi::LoadOp load = i == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load;
-    const rhi::ColorAttachment colors[] = {
+    std::vector<rhi::ColorAttachment> colors = {
         {.view = {.texture = m_bounds[(i + 1) % 2]}, .clear = kNothing},
         {.view = {.texture = m_front}, .load = load, .clear = {0, 0, 0, 1}},
         {.view = {.texture = m_back}, .load = load, .clear = {0, 0, 0, 1}}};
+    if (m_coloured)
+      colors = {colors.front(),
+                {.view = {.texture = m_front}, .clear = {0, 0, 0, 0}},
+                {.view = {.texture = m_frontBehind}, .clear = {1, 1, 1, 1}},
+                {.view = {.texture = m_back}, .clear = {0, 0, 0, 0}},
+                {.view = {.texture = m_backBehind}, .clear = {1, 1, 1, 1}}};
     const rhi::ResourceUse reads[] = {rhi::use(camera.depth(), rhi::Access::Sampled),
                                       rhi::use(m_bounds[i % 2].id(), rhi::Access::Sampled)};
     camera.surfacePass(
@@ -134,6 +167,15 @@ class DualDepthPeeling final : public TransparencyTechnique {
   }
 
   void composite(Frame& frame, CameraPass& camera, rhi::TextureId bounds) {
+    if (m_coloured) {
+      const rhi::Binding binding = rhi::textureAt(TEXTURE_TRANSPARENCY + 2, bounds, m_sampler);
+      const rhi::ResourceUse read = rhi::use(bounds, rhi::Access::Sampled);
+      m_layers.composite(frame, camera, {&read, 1}, [&](rhi::CommandList& commands) {
+        if (m_byQuery)
+          counted(commands, [&] { drawFullscreen(commands, m_left, {&binding, 1}); });
+      });
+      return;
+    }
     const rhi::Binding bindings[] = {rhi::textureAt(TEXTURE_TRANSPARENCY, m_front, m_sampler),
                                      rhi::textureAt(TEXTURE_TRANSPARENCY + 1, m_back, m_sampler),
                                      rhi::textureAt(TEXTURE_TRANSPARENCY + 2, bounds, m_sampler)};
@@ -153,11 +195,13 @@ class DualDepthPeeling final : public TransparencyTechnique {
       draws();
   }
 
+  bool m_coloured = false;
+  ColouredLayers m_layers;
   uint32_t m_most = 0;
   bool m_byQuery = false;
   PassQueries m_queries;  ///< of each peeling pass, and last of what is left
   PassesAtSteps m_atSteps;
-  rhi::Texture m_bounds[2], m_front, m_back;
+  rhi::Texture m_bounds[2], m_front, m_back, m_frontBehind, m_backBehind;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_init, m_peel, m_composite, m_left;
   DrawList m_all;
@@ -171,8 +215,10 @@ REGISTER_TECHNIQUE(
         .folder = "dual_depth_peeling",
         .title = "Dual depth peeling, from both sides",
         .paper = "Bavoil, Myers 2008",
-        .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+        .represents = {Effect::CameraTransparency, Effect::CameraLayers,
+                       Effect::ColouredTransparency},
         .requires_ = {rhi::Feature::PreciseOcclusion, rhi::Feature::IndependentBlend},
+        .requiresFor = {{Effect::ColouredTransparency, rhi::Feature::DualSourceBlend}},
         .knobs = {{.name = "stop",
                    .help = "peeling ends when nothing is left, or after a fixed count",
                    .fallback = "query",

@@ -1,6 +1,7 @@
 // Per-pixel linked lists (Yang, Hensley, Gruen, Thibieroz 2010); spec 15, E. Each surface is shaded
 // once and its fragments are put into lists, one a pixel; a full-screen pass sorts them by depth
-// and persistent key and composes them. Two passes; 16 or 20 bytes a fragment. The `layers` nearest
+// and persistent key and composes them. Two passes; 16 or 20 bytes a fragment, 4 more where the
+// scene has glass and each channel of what lies behind a weight. The `layers` nearest
 // are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. The pool holds as
 // many fragments as were counted when it was made; beyond a smaller one that is asked for, or
 // beyond what the device allows, they are dropped, counted and reported. nodes=rgba8 clamps colours
@@ -23,16 +24,20 @@ class LinkedLists final : public TransparencyTechnique {
   void prepare(const Context& context, CameraPass& camera) override {
     m_device = &context.device;
     const bool half = context.knobs.is("nodes", "rgba16f");
+    m_coloured = context.plan.runs(Effect::ColouredTransparency);
     const uint64_t perPixel = context.knobs.integer("pool");
     const auto [width, height] = context.view.size();
-    createBuffers(context, half ? 20 : 16,
+    createBuffers(context, (half ? 20 : 16) + (m_coloured ? 4 : 0),
                   perPixel > 0 ? perPixel * width * height : countFragments(context, camera));
 
-    rhi::GraphicsPipelineDesc build = camera.translucentPipeline("linked_lists");
+    rhi::GraphicsPipelineDesc build =
+        camera.translucentPipeline(m_coloured ? "linked_lists/coloured" : "linked_lists");
     build.targets.clear();
     build.constants.push_back({32, half});
     m_build = context.pipelines.get(build);
-    rhi::GraphicsPipelineDesc resolve = camera.compositePipeline("linked_lists/resolve.frag");
+    rhi::GraphicsPipelineDesc resolve =
+        m_coloured ? camera.colouredCompositePipeline("linked_lists/coloured/resolve.frag")
+                   : camera.compositePipeline("linked_lists/resolve.frag");
     resolve.constants = {{32, half}, {33, context.knobs.integer("layers")}};
     m_resolve = context.pipelines.get(resolve);
 
@@ -124,6 +129,7 @@ class LinkedLists final : public TransparencyTechnique {
   }
 
   rhi::Device* m_device = nullptr;
+  bool m_coloured = false;
   uint64_t m_capacity = 0;  ///< nodes
   uint64_t m_headBytes = 0;
   bool m_recorded = false;
@@ -140,8 +146,10 @@ REGISTER_TECHNIQUE(
         .folder = "linked_lists",
         .title = "Per-pixel linked lists, sorted",
         .paper = "Yang, Hensley, Gruen, Thibieroz 2010",
-        .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+        .represents = {Effect::CameraTransparency, Effect::CameraLayers,
+                       Effect::ColouredTransparency},
         .requires_ = {rhi::Feature::FragmentStoresAndAtomics, rhi::Feature::PreciseOcclusion},
+        .requiresFor = {{Effect::ColouredTransparency, rhi::Feature::DualSourceBlend}},
         .knobs = {{.name = "layers",
                    .help = "nearest layers that are sorted; the rest is averaged",
                    .fallback = "16",

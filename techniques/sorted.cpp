@@ -1,6 +1,7 @@
 // Camera transparency by sorted alpha blending (spec 15, A): translucent surfaces back to front,
-// premultiplied, ONE / ONE_MINUS_SRC_ALPHA. One pass, no extra memory. Wrong where the order of
-// sorting is not the order of fragments: large or intersecting meshes, cycles.
+// premultiplied, ONE / ONE_MINUS_SRC_ALPHA; where the scene has glass, two sources and ONE /
+// SRC1_COLOR. One pass, no extra memory. Wrong where the order of sorting is not the order of
+// fragments: large or intersecting meshes, cycles.
 //   sort=mesh      by the view depth of the centre of the bounding box (seed 000)
 //   sort=triangle  by the view depth of the centroid of each triangle
 #include "techniques/common/camera_pass.h"
@@ -14,10 +15,17 @@ namespace {
 class Sorted final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
-    rhi::GraphicsPipelineDesc desc = camera.translucentPipeline("sorted");
+    const bool coloured = context.plan.runs(Effect::ColouredTransparency);
+    rhi::GraphicsPipelineDesc desc =
+        camera.translucentPipeline(coloured ? "sorted/coloured" : "sorted");
     desc.targets.front().blend = {.enabled = true,
                                   .dstColor = rhi::BlendFactor::OneMinusSrcAlpha,
                                   .dstAlpha = rhi::BlendFactor::OneMinusSrcAlpha};
+    if (coloured)
+      desc.targets.front().blend = {.enabled = true,
+                                    .dstColor = rhi::BlendFactor::Src1Color,
+                                    .srcAlpha = rhi::BlendFactor::Zero,
+                                    .dstAlpha = rhi::BlendFactor::One};
     m_byTriangle = context.knobs.is("sort", "triangle");
     const SceneView& view = context.view;
     if (m_byTriangle) {
@@ -67,13 +75,16 @@ REGISTER_TECHNIQUE(TransparencyTechnique, Sorted,
                        .folder = "sorted",
                        .title = "Sorted alpha blending",
                        .paper = "Porter, Duff 1984; seed 000",
-                       .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+                       .represents = {Effect::CameraTransparency, Effect::CameraLayers,
+                                      Effect::ColouredTransparency},
+                       .requiresFor = {{Effect::ColouredTransparency,
+                                        rhi::Feature::DualSourceBlend}},
                        .knobs = {{.name = "sort",
                                   .help = "what is sorted back to front: whole meshes or triangles",
                                   .fallback = "mesh",
                                   .choices = {"mesh", "triangle"}}},
                        .error = "wrong order for large or intersecting surfaces",
-        .breaksIn = {{"camera crossing", "surfaces through one another have no order as wholes"}},
+                       .breaksIn = {{"camera crossing", "surfaces through one another have no order as wholes"}},
                        .drawsParts = [](const Knobs& knobs) { return knobs.is("sort", "mesh"); }}));
 
 }  // namespace

@@ -6,9 +6,10 @@
 //                   weighted by visibility, composite: four passes, far less noise, a small bias
 // With samples=4 the edges of translucent surfaces are those of the samples, not of pixel centres,
 // and each triangle that shares a pixel draws numbers of its own.
+// Where the scene has glass, samples are kept by channel: ColouredStochastic.
 // Of coplanar surfaces basic shows the last one drawn.
 #include "shaders/common/shared_slots.h"
-#include "techniques/common/camera_pass.h"
+#include "techniques/common/coloured_stochastic.h"
 #include "techniques/common/registry.h"
 
 namespace sb {
@@ -22,6 +23,10 @@ class StochasticTransparency final : public TransparencyTechnique {
   void prepare(const Context& context, CameraPass& camera) override {
     m_samples = context.knobs.integer("samples");
     m_basic = context.knobs.is("mode", "basic");
+    if (context.plan.runs(Effect::ColouredTransparency)) {
+      m_coloured.emplace(context, camera, m_samples, m_basic);
+      return;
+    }
     createTargets(context);
     createPipelines(context, camera);
     const rhi::Binding opaque = rhi::textureAt(TEXTURE_TRANSPARENCY, camera.depth(), m_sampler);
@@ -29,6 +34,10 @@ class StochasticTransparency final : public TransparencyTechnique {
   }
 
   void record(Frame& frame, CameraPass& camera) override {
+    if (m_coloured) {
+      m_coloured->record(frame, camera);
+      return;
+    }
     const rhi::ResourceUse opaque = rhi::use(camera.depth(), rhi::Access::Sampled);
     auto draw = [&](rhi::PipelineId pipeline) {
       return [this, pipeline, &camera](rhi::CommandList& commands) {
@@ -137,6 +146,7 @@ class StochasticTransparency final : public TransparencyTechnique {
 
   uint32_t m_samples = 1;
   bool m_basic = false;
+  std::optional<ColouredStochastic> m_coloured;
   rhi::Texture m_depth, m_colors, m_resolved, m_transmittance;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_surfaces, m_total, m_depths, m_composite;
@@ -150,7 +160,9 @@ REGISTER_TECHNIQUE(
         .folder = "stochastic_transparency",
         .title = "Stochastic transparency",
         .paper = "Enderton, Sintorn, Shirley, Luebke 2010",
-        .represents = {Effect::CameraTransparency, Effect::CameraLayers},
+        .represents = {Effect::CameraTransparency, Effect::CameraLayers,
+                       Effect::ColouredTransparency},
+        .requiresFor = {{Effect::ColouredTransparency, rhi::Feature::DualSourceBlend}},
         .knobs = {{.name = "samples",
                    .help = "of a pixel, of which each surface keeps a random share",
                    .fallback = "4",

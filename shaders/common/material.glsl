@@ -31,13 +31,16 @@ vec4 baseColorAt(MaterialData m, vec4 uv, vec4 color) {
 
 // Opacity and transmission at a point: what light and camera ask of a surface.
 OpticsData opticsAt(MaterialData m, vec4 base, vec4 uv) {
+  float metallic = m.surface.x;
+  if (materialHas(m, MATERIAL_TRANSMISSION) && hasTexture(m, TEXTURE_METALLIC_ROUGHNESS))
+    metallic *= SAMPLE_MATERIAL(m, TEXTURE_METALLIC_ROUGHNESS, t_metallicRoughness, uv).b;
   float transmission = m.transmission.x;
   if (hasTexture(m, TEXTURE_TRANSMISSION))
     transmission *= SAMPLE_MATERIAL(m, TEXTURE_TRANSMISSION, t_transmission, uv).r;
   float thickness = m.transmission.y;
   if (hasTexture(m, TEXTURE_THICKNESS))
     thickness *= SAMPLE_MATERIAL(m, TEXTURE_THICKNESS, t_thickness, uv).g;
-  return opticsOf(m, base, transmission, thickness);
+  return opticsOf(m, base, metallic, transmission, thickness);
 }
 
 OpticsData lightOptics(MaterialData m, vec4 uv, vec4 color) {

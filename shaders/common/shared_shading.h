@@ -21,8 +21,10 @@ using glm::sqrt;
 #endif
 
 // Reflected share of the light from direction `l` toward `v` around normal `n` (all unit vectors),
-// the cosine included; multiply by radiance times visibility.
-SHARED vec3 reflectedLight(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 l) {
+// the cosine included; multiply by radiance times visibility. `transmission`: of the diffuse light,
+// the share that passes instead.
+SHARED vec3 reflectedLight(vec3 albedo, float metallic, float roughness, float transmission, vec3 n,
+                           vec3 v, vec3 l) {
   float nl = dot(n, l);
   if (nl <= 0.0f) return vec3(0.0f);
   float nv = max(dot(n, v), 1e-4f);
@@ -38,8 +40,14 @@ SHARED vec3 reflectedLight(vec3 albedo, float metallic, float roughness, vec3 n,
   float k = 1.0f - vh;
   float k2 = k * k;
   vec3 fresnel = f0 + (vec3(1.0f) - f0) * (k2 * k2 * k);
-  vec3 diffuse = albedo * ((1.0f - metallic) * (1.0f / 3.14159265f));
+  vec3 diffuse = albedo * ((1.0f - metallic) * (1.0f - transmission) * (1.0f / 3.14159265f));
   return ((vec3(1.0f) - fresnel) * diffuse + fresnel * (distribution * visibility)) * nl;
+}
+
+// Share of its colour that a surface shows of light from everywhere, and of itself when it is unlit:
+// transmission takes from what is not metal.
+SHARED float shareReflected(float metallic, float transmission) {
+  return 1.0f - transmission * (1.0f - clamp(metallic, 0.0f, 1.0f));
 }
 
 // What a light sends to a camera-relative point: `toLight` unit, radiance without occlusion.

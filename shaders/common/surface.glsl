@@ -53,15 +53,18 @@ vec3 shadingNormal(MaterialData m, Receiver r, vec3 normal, vec4 tangent, vec4 u
   return dot(n, r.normal) < 0.0 ? -n : n;
 }
 
-// Radiance toward the camera from a point of a surface.
-vec3 shadeSurface(MaterialData m, Receiver r, vec4 base, vec3 normal, vec4 tangent, vec4 uv) {
-  if (materialHas(m, MATERIAL_UNLIT)) return base.rgb;
+// Radiance toward the camera from a point of a surface, of which the diffuse part passes by
+// `transmission`.
+vec3 shadeSurface(MaterialData m, Receiver r, vec4 base, float transmission, vec3 normal,
+                  vec4 tangent, vec4 uv) {
   float metallic = m.surface.x, roughness = m.surface.y, occlusion = 1.0;
   if (hasTexture(m, TEXTURE_METALLIC_ROUGHNESS)) {
     vec4 mr = SAMPLE_MATERIAL(m, TEXTURE_METALLIC_ROUGHNESS, t_metallicRoughness, uv);
     roughness *= mr.g;
     metallic *= mr.b;
   }
+  float share = shareReflected(metallic, transmission);
+  if (materialHas(m, MATERIAL_UNLIT)) return base.rgb * share;
   if (hasTexture(m, TEXTURE_OCCLUSION))
     occlusion += m.surface.w * (SAMPLE_MATERIAL(m, TEXTURE_OCCLUSION, t_occlusion, uv).r - 1.0);
   vec3 emissive = m.emissiveCutoff.rgb;
@@ -69,12 +72,12 @@ vec3 shadeSurface(MaterialData m, Receiver r, vec4 base, vec3 normal, vec4 tange
 
   vec3 n = shadingNormal(m, r, normal, tangent, uv);
   vec3 v = normalize(-r.position);
-  vec3 radiance = emissive + frame.ambient.rgb * base.rgb * occlusion;
+  vec3 radiance = emissive + frame.ambient.rgb * base.rgb * (occlusion * share);
   for (uint light = 0u; light < frame.counts.x; ++light) {
     Illumination i = illumination(lights[light], r.position);
     // The geometric normal decides sides: no light through a surface, and no lookup for none.
     if (dot(r.normal, i.toLight) <= 0.0 || all(lessThanEqual(i.radiance, vec3(0)))) continue;
-    vec3 reflected = reflectedLight(base.rgb, metallic, roughness, n, v, i.toLight) * i.radiance;
+    vec3 reflected = reflectedLight(base.rgb, metallic, roughness, transmission, n, v, i.toLight) * i.radiance;
     if (all(lessThanEqual(reflected, vec3(0)))) continue;
     radiance += reflected * lightVisibility(light, r);
   }

@@ -1,14 +1,9 @@
-// One layer: the nearest fragments behind the layer before (strictly) and not behind the opaque
-// surface. Depths are compared as stored, in D32F: every pass computes the same ones.
-layout(constant_id = 32) const bool kFirstLayer = false;
-layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
-layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY + 1)) uniform sampler2D t_previousDepth;
+// One layer: the nearest of the fragments that may be the next one.
+#include "depth_peeling/peel.glsl"
 layout(location = 0) out vec4 o_layer;
 
 bool beginFragment(float alpha) {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, pixel, 0).r) discard;
-  if (!kFirstLayer && gl_FragCoord.z <= texelFetch(t_previousDepth, pixel, 0).r) discard;
+  discardUnlessNext();
   return true;
 }
 

@@ -9,7 +9,7 @@ layout(location = 4) in vec4 v_color;
 layout(location = 0) out vec2 o_bounds;
 
 void main() {
-  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).cameraAlpha <= 0.0) discard;
+  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha <= 0.0) discard;
   if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
   o_bounds = vec2(-gl_FragCoord.z, gl_FragCoord.z);
 }

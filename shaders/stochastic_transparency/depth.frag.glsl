@@ -13,7 +13,7 @@ layout(location = 4) in vec4 v_color;
 
 void main() {
   InstanceData i = instances[draw.ids.x];
-  float alpha = lightOptics(materials[i.ids.x], v_uv, v_color).cameraAlpha;
+  float alpha = lightOptics(materials[i.ids.x], v_uv, v_color).alpha;
   if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
   uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
   uint kept = keptSamples(alpha, surfaceKey(i.ids.w, i.ids.y, triangle));

@@ -17,5 +17,6 @@ void main() {
   Receiver r = surfaceReceiver(i, v_position);
   vec4 base = baseColorAt(m, v_uv, v_color);
   if (kMasked && base.a < m.emissiveCutoff.w) discard;
-  o_color = vec4(shadeSurface(m, r, base, v_normal, v_tangent, v_uv), 1);
+  // Nothing passes an opaque surface: metals and black ones reflect the same with transmission.
+  o_color = vec4(shadeSurface(m, r, base, 0.0, v_normal, v_tangent, v_uv), 1);
 }

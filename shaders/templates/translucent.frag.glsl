@@ -4,6 +4,10 @@
 //   bool beginFragment(float alpha)                 before shading: discards, or returns false when
 //                                                   the fragment needs no shading
 //   void emitFragment(vec3 radiance, float alpha)   radiance is not multiplied by alpha yet
+// or, for scenes with glass (Effect::ColouredTransparency), EMITS_WEIGHTS and
+//   bool beginFragment(OpticsData optics)
+//   void emitFragment(vec3 light, vec3 behind)      what the surface adds, and the weight of what
+//                                                   lies behind in each channel
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/transform.glsl"
@@ -20,9 +24,15 @@ void main() {
   MaterialData m = materials[i.ids.x];
   Receiver r = surfaceReceiver(i, v_position);
   vec4 base = baseColorAt(m, v_uv, v_color);
-  float alpha = opticsAt(m, base, v_uv).cameraAlpha;
+  OpticsData optics = opticsAt(m, base, v_uv);
   // A layer that does not exist takes no part (spec 15).
-  if (alpha <= 0.0) discard;
-  if (!beginFragment(alpha)) return;
-  emitFragment(shadeSurface(m, r, base, v_normal, v_tangent, v_uv), alpha);
+  if (optics.alpha <= 0.0) discard;
+#ifdef EMITS_WEIGHTS
+  if (!beginFragment(optics)) return;
+  vec3 radiance = shadeSurface(m, r, base, optics.transmission, v_normal, v_tangent, v_uv);
+  emitFragment(optics.alpha * radiance, optics.behind);
+#else
+  if (!beginFragment(optics.alpha)) return;
+  emitFragment(shadeSurface(m, r, base, 0.0, v_normal, v_tangent, v_uv), optics.alpha);
+#endif
 }

@@ -24,7 +24,7 @@ void main() {
   MaterialData m = materials[i.ids.x];
   Receiver r = surfaceReceiver(i, v_position);
   OpticsData optics = opticsAt(m, baseColorAt(m, v_uv, v_color), v_uv);
-  if (optics.cameraAlpha <= 0.0) discard;
+  if (optics.alpha <= 0.0) discard;
   if (PASS_LAYER > 0u) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     if (gl_FragCoord.z > texelFetch(t_opaqueDepth, pixel, 0).r) discard;

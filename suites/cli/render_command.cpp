@@ -58,13 +58,13 @@ int renderCommand(const Options& options) {
   const CellId id = oneCell(options, platform, devices);
   DeviceSession* session = devices.open(id.backend);
   const TechniqueInfo& technique = shadowTechnique(id.technique).info;
-  if (auto skip =
-          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
-                      cellKnobs(id)))
-    throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());
   const Effects effects = analyse(scene, double(id.width) / double(id.height));
+  if (auto skip =
+          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
+                      cellKnobs(id), effects.present))
+    throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
   const GpuScene gpuScene(*session->device, scene);
   Renderer renderer(session->context(), gpuScene, effects,
                     {.technique = &shadowTechnique(id.technique),

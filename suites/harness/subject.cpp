@@ -132,7 +132,7 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
   record.deviceType = rhi::deviceTypeName(device.info().type);
   record.driver = device.info().driver + " " + device.info().driverVersion;
   if (auto why = unsupported(device, shadowTechnique(id.technique).info,
-                             transparencyTechnique(id.transparency).info, cellKnobs(id)))
+                             transparencyTechnique(id.transparency).info, cellKnobs(id), context.effects.present))
     return skip(record, why->reason);
   std::string passesUntrusted;
   if (context.checkTimers) {

@@ -122,6 +122,12 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
           : name(overlap.first) + " and " + name(overlap.second) + " may overlap in the picture",
       through < 2 ? "fewer than two see-through surfaces are visible"
                   : "see-through instances do not overlap in the picture");
+  const auto glass = [&](uint32_t i) { return a.instances[i].traits.cameraColoured; };
+  const size_t coloured = size_t(std::ranges::count_if(effects.visibleTranslucent, glass));
+  notes.note(Effect::ColouredTransparency, coloured > 0,
+             "the camera sees through glass in " + count(coloured, "instance") +
+                 ": each channel has a weight of its own",
+             "no visible surface transmits what lies behind");
   size_t mapped = 0, emitting = 0;
   for (size_t i = 0; i < a.instances.size(); ++i) {
     if (!a.instances[i].visible) continue;

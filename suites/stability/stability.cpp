@@ -153,7 +153,7 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
                             .seeds = job.seeds,
                             .quick = quick};
   const Knobs knobs = Knobs::resolve(knobsOf(job), job.knobs);
-  if (auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs))
+  if (auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs, {}))
     return skippedStability(job, why->reason);
   if (c.leavesOut)
     if (const std::string why = c.leavesOut(context); !why.empty())

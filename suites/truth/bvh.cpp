@@ -40,7 +40,7 @@ class Search {
       m_out = {found};
       return;
     }
-    if (verdict == Bvh::Verdict::Nearest) m_nearest = hit->t;
+    if (verdict == Bvh::Verdict::Nearest) m_nearest = std::min(m_nearest, hit->t + m_ray.tie);
     m_out.push_back(found);
   }
 

@@ -16,6 +16,7 @@ struct TruthRay {
   glm::dvec3 direction;  ///< of any length: t counts in it
   double tMin = 0;       ///< hits lie in (tMin, tMax)
   double tMax = 0;       ///< may be infinite
+  double tie = 0;        ///< hits so little behind the nearest that ends the ray are kept too
 };
 
 struct TruthHit {

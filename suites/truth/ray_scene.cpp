@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-
 namespace sb {
 namespace {
 
@@ -19,6 +18,18 @@ double extentOf(const std::vector<TruthTriangle>& triangles, const std::vector<d
     for (const dvec3& p : t.corners) add(p);
   for (const dvec3& p : lights) add(p);
   return extent;
+}
+
+/// Coplanar surfaces meet a ray at depths that differ by what their coordinates are rounded to, more
+/// at grazing angles: only within this share of the scene's size are planes compared at all.
+constexpr double kTieRange = 1e-3;
+
+/// Is a point in a triangle's plane, as far as doubles can tell? It is on an edge that surfaces
+/// share, or a light in a ceiling: which side rounding puts it on must not matter.
+bool touches(const TruthTriangle& t, const dvec3& point) {
+  const dvec3 n = glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
+  const dvec3 size = glm::abs(point) + glm::abs(t.corners[0]);
+  return std::abs(glm::dot(n, point - t.corners[0])) <= 0x1p-50 * glm::dot(glm::abs(n), size);
 }
 
 dvec3 transmittance(const gpu::OpticsData& o) {
@@ -77,20 +88,54 @@ void RayScene::cameraHits(double x, double y, CameraHits& out) const {
     const Surface at = surface(hit);
     const SurfaceTraits& traits = at.traits();
     if (traits.material.cameraTranslucent)
-      return at.optics().cameraAlpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
+      return at.optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
     // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
     if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
-    if (traits.masked && at.optics().cameraAlpha <= 0) return Bvh::Verdict::Ignore;
+    if (traits.masked && at.optics().alpha <= 0) return Bvh::Verdict::Ignore;
     return Bvh::Verdict::Nearest;
   };
-  m_bvh->hits(cameraRay(x, y), judge, out.hits);
-  // Translucent layers that lie in the opaque surface stand before it.
+  TruthRay ray = cameraRay(x, y);
+  ray.tie = kTieRange * m_reach;
+  m_bvh->hits(ray, judge, out.hits);
+  orderTies(out.hits, ray.tie);
+  // Of opaque surfaces in one plane the first ends the ray; translucent ones in it are no layers.
   const auto opaque = std::ranges::find_if(out.hits, endsRay);
   out.endsOpaque = opaque != out.hits.end();
   if (!out.endsOpaque) return;
   const TruthHit end = *opaque;
-  std::erase_if(out.hits, endsRay);
+  std::erase_if(out.hits, [&](const TruthHit& hit) {
+    return endsRay(hit) || hit.t > end.t || sameSurface(hit, end, ray.tie);
+  });
   out.hits.push_back(end);
+}
+
+Facet RayScene::facet(uint32_t triangle) const {
+  const TruthTriangle& t = m_triangles[triangle];
+  return facetOf(m_scene, t.instance, t.number, m_scene.camera().eye());
+}
+
+bool RayScene::sameSurface(const TruthHit& a, const TruthHit& b, double range) const {
+  return std::abs(a.t - b.t) <= range && coplanar(facet(a.triangle), facet(b.triangle));
+}
+
+void RayScene::orderTies(std::vector<TruthHit>& hits, double range) const {
+  const auto order = [&](const TruthHit& hit) {
+    const TruthTriangle& t = m_triangles[hit.triangle];
+    return surfaceOrder(m_scene, t.instance, t.number);
+  };
+  for (size_t first = 0; first + 1 < hits.size();) {
+    size_t end = first + 1;
+    while (end < hits.size() && sameSurface(hits[first], hits[end], range)) ++end;
+    const auto tied = std::ranges::subrange(hits.begin() + std::ptrdiff_t(first),
+                                            hits.begin() + std::ptrdiff_t(end));
+    // At one depth, so that nothing comes between them.
+    if (end - first > 1) {
+      const double t = hits[first].t;
+      std::ranges::sort(tied, {}, order);
+      for (TruthHit& hit : tied) hit.t = t;
+    }
+    first = end;
+  }
 }
 
 Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
@@ -98,7 +143,9 @@ Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
   const TruthTriangle& t = m_triangles[hit.triangle];
   const dvec3 n =
       glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
-  const dvec3 p = ray.origin + hit.t * ray.direction;
+  dvec3 p = ray.origin + hit.t * ray.direction;
+  // Into the plane again, as nearly as doubles can say.
+  p -= n * glm::dot(n, p - t.corners[0]);
   const SurfaceTraits& traits =
       m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material];
   // Toward the eye, as the shaders turn it, for orthographic cameras too.
@@ -124,25 +171,35 @@ bool RayScene::reaches(uint32_t light, const Tracer::Point& point) const {
   return glm::any(glm::greaterThan(illumination(light, point).radiance, glm::vec3(0)));
 }
 
+bool RayScene::holds(uint32_t triangle, const Tracer::Point& point) const {
+  const TruthTriangle& t = m_triangles[triangle];
+  if (touches(t, point.position)) return true;
+  if (point.triangle == kNone) return false;
+  const Facet own = facet(point.triangle), other = facet(triangle);
+  // Near enough for its plane to be the same one?
+  const dvec3 n = glm::abs(other.normal);
+  return std::abs(heightOver(other, point.position)) <= 16 * glm::dot(n, own.ulp + other.ulp) &&
+         coplanar(own, other);
+}
+
 dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
                            std::vector<TruthHit>& scratch, double ownNear) const {
-  // Surfaces in the receiver's own plane neither shadow it nor are shadowed by it. Spec 16 has
-  // 1e-6 max(1, |p|); scenes smaller than 1 take their own size for the 1 (spec 17, G2).
-  const double nearest = 1e-6 * std::max(std::min(1.0, m_reach), glm::length(point.position));
   TruthRay ray{.origin = point.position,
                .direction = toLight(light, point.position),
-               .tMin = nearest,
+               .tMin = 0,
                .tMax = std::numeric_limits<double>::infinity()};
-  if (m_scene.lights[light].type != LightType::Directional) {
+  const bool local = m_scene.lights[light].type != LightType::Directional;
+  if (local) {
     ray.direction = m_lightPositions[light] - point.position;
-    ray.tMin = nearest / glm::length(ray.direction);
-    ray.tMax = 1 - 1e-9;
+    ray.tMax = 1;
   }
   bool blocked = false;
   const double own = ownNear / glm::length(ray.direction);
   const Bvh::Judge judge = [&](const TruthHit& hit) {
     if (hit.triangle == point.triangle ||
-        (hit.t < own && m_triangles[hit.triangle].instance == point.instance))
+        (hit.t < own && m_triangles[hit.triangle].instance == point.instance) ||
+        holds(hit.triangle, point) ||
+        (local && hit.t > 0.5 && touches(m_triangles[hit.triangle], m_lightPositions[light])))
       return Bvh::Verdict::Ignore;
     const Surface at = surface(hit);
     const bool blocks =

@@ -1,11 +1,14 @@
 // A scene as rays meet it: what a camera ray passes and where it ends, and how much of a light
-// arrives at a point (spec 16, camera path and transmittance along a shadow ray).
+// arrives at a point (spec 16, camera path and transmittance along a shadow ray). Surfaces in one
+// plane (techniques/common/coplanar.h) are layers in the order of their keys and do not shadow each
+// other; nothing is decided by a share of the distance from the eye.
 #pragma once
 
 #include "shaders/common/shared_shading.h"
 #include "suites/truth/surface.h"
 #include "suites/truth/tracer.h"
 #include "techniques/common/camera.h"
+#include "techniques/common/coplanar.h"
 #include "techniques/common/light_data.h"
 
 namespace sb {
@@ -44,6 +47,12 @@ class RayScene {
 
  private:
   TruthRay cameraRay(double x, double y) const;
+  Facet facet(uint32_t triangle) const;
+  /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
+  bool sameSurface(const TruthHit& a, const TruthHit& b, double range) const;
+  void orderTies(std::vector<TruthHit>& hits, double range) const;
+  /// Does the triangle's plane hold the point: as its own plane, or as one that touches it?
+  bool holds(uint32_t triangle, const Tracer::Point& point) const;
 
   const Scene& m_scene;
   uint32_t m_width, m_height;

@@ -37,7 +37,12 @@ glm::vec3 Sampler::color() const {
         surface.shade(glm::vec3(layer.point.position), glm::vec3(layer.point.normal),
                       m_scene.scene().ambient, arrivals);
     const bool opaque = m_found.endsOpaque && i + 1 == m_layers.size();
-    color = opaque ? radiance : glm::mix(color, radiance, surface.optics().cameraAlpha);
+    if (opaque) {
+      color = radiance;
+    } else {
+      const gpu::OpticsData optics = surface.optics();
+      color = color * optics.behind + radiance * optics.alpha;
+    }
   }
   return color;
 }

@@ -26,15 +26,17 @@ Surface::Surface(const Scene& scene, const std::vector<SurfaceTraits>& traits,
       m_instance(scene.instances[triangle.instance]),
       m_material(scene.materials[m_mesh.material]),
       m_traits(traits[m_mesh.material]),
-      m_weight{float(1 - hit.b - hit.c), float(hit.b), float(hit.c)} {
+      m_weight{1 - hit.b - hit.c, hit.b, hit.c} {
   for (uint32_t c = 0; c < 3; ++c) m_corner[c] = m_mesh.indices[3 * triangle.number + c];
 }
 
-template <class T>
-T Surface::interpolated(const std::vector<T>& values, T fallback) const {
+template <int N>
+glm::vec<N, double> Surface::interpolated(const std::vector<glm::vec<N, float>>& values,
+                                          glm::vec<N, double> fallback) const {
   if (values.empty()) return fallback;
-  return values[m_corner[0]] * m_weight[0] + values[m_corner[1]] * m_weight[1] +
-         values[m_corner[2]] * m_weight[2];
+  glm::vec<N, double> sum(0);
+  for (size_t c = 0; c < 3; ++c) sum += glm::vec<N, double>(values[m_corner[c]]) * m_weight[c];
+  return sum;
 }
 
 bool Surface::has(uint32_t slot) const { return textureSlot(m_material, slot).present(); }
@@ -42,20 +44,26 @@ bool Surface::has(uint32_t slot) const { return textureSlot(m_material, slot).pr
 glm::dvec4 Surface::sample(uint32_t slot) const {
   const TextureSlot& texture = textureSlot(m_material, slot);
   return sampleTexture(m_scene, texture,
-                       interpolated(texture.uvSet == 1 ? m_mesh.uv1 : m_mesh.uv0, glm::vec2(0)));
+                       interpolated<2>(texture.uvSet == 1 ? m_mesh.uv1 : m_mesh.uv0, glm::dvec2(0)));
 }
 
 glm::vec4 Surface::baseColor() const {
-  glm::vec4 base = m_traits.data.baseColor * interpolated(m_mesh.colors, glm::vec4(1));
+  glm::vec4 base = m_traits.data.baseColor * glm::vec4(interpolated<4>(m_mesh.colors, glm::dvec4(1)));
   if (has(TEXTURE_BASE_COLOR)) base *= glm::vec4(sample(TEXTURE_BASE_COLOR));
   return base;
+}
+
+float Surface::metallic() const {
+  const float texel =
+      has(TEXTURE_METALLIC_ROUGHNESS) ? float(sample(TEXTURE_METALLIC_ROUGHNESS).b) : 1.0f;
+  return m_traits.data.surface.x * texel;
 }
 
 gpu::OpticsData Surface::optics() const {
   float transmission = m_traits.data.transmission.x, thickness = m_traits.data.transmission.y;
   if (has(TEXTURE_TRANSMISSION)) transmission *= float(sample(TEXTURE_TRANSMISSION).r);
   if (has(TEXTURE_THICKNESS)) thickness *= float(sample(TEXTURE_THICKNESS).g);
-  return gpu::opticsOf(m_traits.data, baseColor(), transmission, thickness);
+  return gpu::opticsOf(m_traits.data, baseColor(), metallic(), transmission, thickness);
 }
 
 glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
@@ -63,18 +71,18 @@ glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
   const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                             glm::cross(linear[0], linear[1]));
   const double side = glm::determinant(linear) < 0 ? -1 : 1;
-  const glm::vec3 local = interpolated(m_mesh.normals, glm::vec3(0, 0, 1));
-  glm::vec3 n(glm::normalize(cofactor * glm::dvec3(local) * side));
+  const glm::dvec3 local = interpolated<3>(m_mesh.normals, glm::dvec3(0, 0, 1));
+  glm::vec3 n(glm::normalize(cofactor * local * side));
   if (has(TEXTURE_NORMAL)) {
     glm::vec3 t = glm::vec3(sample(TEXTURE_NORMAL)) * 2.0f - 1.0f;
     t.x *= m_traits.data.surface.z;
     t.y *= m_traits.data.surface.z;
-    const glm::vec4 tangent = interpolated(m_mesh.tangents, glm::vec4(1, 0, 0, 1));
-    const glm::vec3 world(linear * glm::dvec3(glm::vec3(tangent)));
+    const glm::dvec4 tangent = interpolated<4>(m_mesh.tangents, glm::dvec4(1, 0, 0, 1));
+    const glm::vec3 world(linear * glm::dvec3(tangent));
     glm::vec3 along = world - n * glm::dot(n, world);
     if (const float length2 = glm::dot(along, along); length2 > 0) {
       along *= 1 / std::sqrt(length2);
-      const glm::vec3 across = glm::cross(n, along) * tangent.w;
+      const glm::vec3 across = glm::cross(n, along) * float(tangent.w);
       n = glm::normalize(along * t.x + across * t.y + n * t.z);
     }
   }
@@ -85,22 +93,22 @@ glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
                          const glm::vec3& ambient, std::span<const Arrival> arrivals) const {
   const glm::vec3 base(baseColor());
   const gpu::MaterialData& m = m_traits.data;
-  if ((m.flags.x & MATERIAL_UNLIT) != 0) return base;
-  float metallic = m.surface.x, roughness = m.surface.y, occlusion = 1;
-  if (has(TEXTURE_METALLIC_ROUGHNESS)) {
-    const glm::vec4 mr(sample(TEXTURE_METALLIC_ROUGHNESS));
-    roughness *= mr.g;
-    metallic *= mr.b;
-  }
+  const float metal = metallic();
+  const float transmission =
+      (m.flags.x & MATERIAL_TRANSMISSION) != 0 ? optics().transmission : 0.0f;
+  const float share = gpu::shareReflected(metal, transmission);
+  if ((m.flags.x & MATERIAL_UNLIT) != 0) return base * share;
+  float roughness = m.surface.y, occlusion = 1;
+  if (has(TEXTURE_METALLIC_ROUGHNESS)) roughness *= float(sample(TEXTURE_METALLIC_ROUGHNESS).g);
   if (has(TEXTURE_OCCLUSION))
     occlusion += m.surface.w * (float(sample(TEXTURE_OCCLUSION).r) - 1.0f);
   glm::vec3 emissive(m.emissiveCutoff);
   if (has(TEXTURE_EMISSIVE)) emissive *= glm::vec3(sample(TEXTURE_EMISSIVE));
 
   const glm::vec3 n = shadingNormal(normal), v = glm::normalize(-position);
-  glm::vec3 radiance = emissive + ambient * base * occlusion;
+  glm::vec3 radiance = emissive + ambient * base * (occlusion * share);
   for (const Arrival& a : arrivals)
-    radiance += gpu::reflectedLight(base, metallic, roughness, n, v, a.toLight) * a.radiance;
+    radiance += gpu::reflectedLight(base, metal, roughness, transmission, n, v, a.toLight) * a.radiance;
   return radiance;
 }
 

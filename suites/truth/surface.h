@@ -28,24 +28,28 @@ class Surface {
           const TruthTriangle& triangle, const TruthHit& hit);
 
   const SurfaceTraits& traits() const { return m_traits; }
-  /// (alpha, t) for the light and the opacity for the camera.
+  /// For light and camera.
   gpu::OpticsData optics() const;
   /// Linear, before lighting.
   glm::vec4 baseColor() const;
+  /// Factor times texture.
+  float metallic() const;
 
   /// A light's radiance that arrives at the point, and from where.
   struct Arrival {
     glm::vec3 toLight;
     glm::vec3 radiance;  ///< occlusion included
   };
-  /// Radiance toward the eye. `normal`: geometric, toward the viewer; `position` relative to the
+  /// Radiance toward the eye, not yet weighted by coverage. `normal`: geometric, toward the viewer; `position` relative to the
   /// eye.
   glm::vec3 shade(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& ambient,
                   std::span<const Arrival> arrivals) const;
 
  private:
-  template <class T>
-  T interpolated(const std::vector<T>& values, T fallback) const;
+  /// In double, whatever the attribute is stored in.
+  template <int N>
+  glm::vec<N, double> interpolated(const std::vector<glm::vec<N, float>>& values,
+                                   glm::vec<N, double> fallback) const;
   glm::dvec4 sample(uint32_t slot) const;
   bool has(uint32_t slot) const;
   glm::vec3 shadingNormal(const glm::vec3& geometric) const;
@@ -56,7 +60,7 @@ class Surface {
   const Material& m_material;
   const SurfaceTraits& m_traits;
   uint32_t m_corner[3];
-  float m_weight[3];
+  double m_weight[3];
 };
 
 }  // namespace sb

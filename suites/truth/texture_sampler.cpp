@@ -50,10 +50,11 @@ double reduced(double at, int size) {
 
 }  // namespace
 
-glm::dvec4 sampleTexture(const Scene& scene, const TextureSlot& slot, const glm::vec2& uv) {
+glm::dvec4 sampleTexture(const Scene& scene, const TextureSlot& slot, const glm::dvec2& uv) {
   const Image& image = scene.images[slot.image];
-  const glm::vec3 h(uv, 1);
-  const double u = glm::dot(slot.uvTransform[0], h), v = glm::dot(slot.uvTransform[1], h);
+  const glm::dvec3 h(uv, 1);
+  const double u = glm::dot(glm::dvec3(slot.uvTransform[0]), h);
+  const double v = glm::dot(glm::dvec3(slot.uvTransform[1]), h);
   const double x = reduced(u * image.width, int(image.width));
   const double y = reduced(v * image.height, int(image.height));
   if (slot.nearest) return texel(image, slot, int(std::floor(x)), int(std::floor(y)));

@@ -7,6 +7,6 @@
 namespace sb {
 
 /// RGBA, linear, of a slot that is present. `uv` before the slot's transform.
-glm::dvec4 sampleTexture(const Scene& scene, const TextureSlot& slot, const glm::vec2& uv);
+glm::dvec4 sampleTexture(const Scene& scene, const TextureSlot& slot, const glm::dvec2& uv);
 
 }  // namespace sb

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever a truth of the same scene may come out differently.
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr char kMagic[8] = {'s', 'b', 't', 'r', 'u', 't', 'h', '\n'};
 constexpr const char* kExtension = ".truth";
 

@@ -127,6 +127,12 @@ rhi::GraphicsPipelineDesc CameraPass::compositePipeline(const std::string& fragm
                                  .dstAlpha = rhi::BlendFactor::One}}}};
 }
 
+rhi::GraphicsPipelineDesc CameraPass::colouredCompositePipeline(const std::string& fragment) const {
+  rhi::GraphicsPipelineDesc desc = compositePipeline(fragment);
+  desc.targets.front().blend.dstColor = rhi::BlendFactor::Src1Color;
+  return desc;
+}
+
 DrawList CameraPass::drawListWith(std::span<const rhi::Binding> extra) const {
   std::vector<rhi::Binding> all = m_inputs.bindings;
   all.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_noOrder));

@@ -43,6 +43,9 @@ class CameraPass {
   /// is (premultiplied colour of all layers, their transmittance T), the picture becomes
   /// colour + T picture.
   rhi::GraphicsPipelineDesc compositePipeline(const std::string& fragment) const;
+  /// The same with a transmittance per channel in a second source of index 1. Needs
+  /// Feature::DualSourceBlend.
+  rhi::GraphicsPipelineDesc colouredCompositePipeline(const std::string& fragment) const;
   /// A pass over the opaque picture: colour loaded, depth read only, visibility declared.
   void translucentPass(Frame& frame, const std::string& label,
                        const std::function<void(rhi::CommandList&)>& body);

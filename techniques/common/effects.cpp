@@ -11,7 +11,8 @@ constexpr std::array<std::string_view, kEffectCount> kNames = {
     "coloured-transmission", "textured-transmission", "translucent-receivers",
     "translucent-overlap",   "area-lights",           "participating-media",
     "multiple-lights",       "local-lights",          "camera-transparency",
-    "camera-layers",         "normal-maps",           "emission"};
+    "camera-layers",         "coloured-transparency", "normal-maps",
+    "emission"};
 
 }  // namespace
 

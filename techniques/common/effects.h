@@ -26,6 +26,7 @@ enum class Effect : uint8_t {
   LocalLights,           ///< point or spot lights touch the view
   CameraTransparency,    ///< translucent surfaces in the view
   CameraLayers,          ///< ... which may overlap one another in the picture (order matters)
+  ColouredTransparency,  ///< ... of which some are glass: what lies behind is weighted by channel
   NormalMaps,            ///< a visible material has one
   Emission,              ///< a visible material emits or is unlit
   Count

@@ -23,6 +23,7 @@ struct Inputs {
   Range channels[4];    ///< r, g, b, a of the base colour
   bool grey = true;     ///< r = g = b everywhere
   bool varies = false;  ///< some base colour channel does
+  Range metallic;
   Range transmission;
   Range thickness;
 };
@@ -86,6 +87,8 @@ Inputs inputsOf(const Scene& scene, const Material& m) {
   inputs.grey = m.baseColor.r == m.baseColor.g && m.baseColor.r == m.baseColor.b &&
                 greyTexels(scene, m.baseColorTexture);
   applyVertexColours(scene, m, inputs);
+  inputs.metallic = texelRange(scene, m.metallicRoughnessTexture, 2);
+  inputs.metallic.scale(m.metallic);
   inputs.transmission = texelRange(scene, m.transmissionTexture, 0);
   inputs.transmission.scale(m.transmission);
   inputs.thickness = texelRange(scene, m.thicknessTexture, 1);
@@ -96,38 +99,45 @@ Inputs inputsOf(const Scene& scene, const Material& m) {
 bool sameChannels(glm::vec3 c) { return c.r == c.g && c.r == c.b; }
 
 MaterialTraits overriddenTraits(const Material& m) {
-  const Optics o = optics(m, m.baseColor, m.transmission, m.thickness);
+  const Optics o = optics(m, {m.baseColor, m.metallic, m.transmission, m.thickness});
   MaterialTraits traits;
   const bool opaque = o.alpha == 1 && o.transmission == glm::vec3(0);
   traits.lightClass = opaque ? MaterialClass::Opaque : MaterialClass::Translucent;
-  traits.cameraTranslucent = o.cameraAlpha < 1;
+  traits.cameraTranslucent = o.behind != glm::vec3(0);
   traits.coloured = o.alpha > 0 && !sameChannels(o.transmission);
+  traits.cameraColoured = o.behind != glm::vec3(1 - o.alpha);
   return traits;
 }
 
 MaterialTraits transmissiveTraits(const Material& m, const Inputs& in) {
-  const bool masked = m.alphaMode == AlphaMode::Mask;
-  const bool holes = masked && in.channels[3].low < m.alphaCutoff;
+  const bool holes = m.alphaMode == AlphaMode::Mask && in.channels[3].low < m.alphaCutoff;
+  const bool thins = m.alphaMode == AlphaMode::Blend && in.channels[3].low < 1;
   const float brightest = std::max({in.channels[0].high, in.channels[1].high, in.channels[2].high});
-  const bool transmits = in.transmission.high > 0 && brightest > 0;
+  const bool transmits = in.transmission.high > 0 && brightest > 0 && in.metallic.low < 1;
   const bool attenuates = in.thickness.high > 0 && std::isfinite(m.attenuationDistance);
+  const bool covers = m.alphaMode != AlphaMode::Blend || in.channels[3].high > 0;
   MaterialTraits traits;
-  traits.lightClass = transmits ? MaterialClass::Translucent
-                      : holes   ? MaterialClass::Perforated
-                                : MaterialClass::Opaque;
-  traits.cameraTranslucent = in.transmission.high > 0;
-  traits.textured = transmits && (in.varies || in.transmission.low != in.transmission.high ||
-                                  (attenuates && in.thickness.low != in.thickness.high) || holes);
+  traits.lightClass = transmits || thins ? MaterialClass::Translucent
+                      : holes            ? MaterialClass::Perforated
+                                         : MaterialClass::Opaque;
+  traits.cameraTranslucent = transmits || thins;
+  traits.cameraColoured = transmits && covers;
+  traits.textured =
+      (thins && in.varies) ||
+      (transmits &&
+       (in.varies || in.transmission.low != in.transmission.high ||
+        in.metallic.low != in.metallic.high ||
+        (attenuates && in.thickness.low != in.thickness.high) || holes));
   traits.coloured = transmits && (!in.grey || (attenuates && !sameChannels(m.attenuationColor)));
   return traits;
 }
 
 }  // namespace
 
-Optics optics(const Material& material, glm::vec4 baseColor, float transmission, float thickness) {
-  const gpu::OpticsData o =
-      gpu::opticsOf(materialData(material), baseColor, transmission, thickness);
-  return {.alpha = o.alpha, .transmission = o.t, .cameraAlpha = o.cameraAlpha};
+Optics optics(const Material& material, const OpticsPoint& point) {
+  const gpu::OpticsData o = gpu::opticsOf(materialData(material), point.baseColor, point.metallic,
+                                          point.transmission, point.thickness);
+  return {.alpha = o.alpha, .transmission = o.t, .behind = o.behind};
 }
 
 MaterialTraits materialTraits(const Scene& scene, const Material& m) {

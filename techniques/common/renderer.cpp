@@ -25,7 +25,8 @@ std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInf
 }
 
 std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency, const Knobs& knobs) {
+                                     const TechniqueInfo& transparency, const Knobs& knobs,
+                                     EffectSet present) {
   if (technique.drawsInParts && technique.drawsInParts(knobs) &&
       !(transparency.drawsParts && transparency.drawsParts(knobs)))
     return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
@@ -34,6 +35,12 @@ std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueI
   std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
   needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
   needed.insert(needed.end(), transparency.requires_.begin(), transparency.requires_.end());
+  for (const TechniqueInfo* info : {&technique, &transparency})
+    for (const auto& [effect, feature] : info->requiresFor)
+      if (present.has(effect) && !device.supports(feature))
+        return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature)) +
+                         ", which " + info->name + " needs for " +
+                         std::string(effectName(effect))};
   for (rhi::Feature feature : needed)
     if (!device.supports(feature))
       return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature))};

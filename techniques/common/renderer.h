@@ -30,9 +30,10 @@ struct RendererDesc {
 /// Knobs of a pair: names are unique across both.
 std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency);
 
-/// Why a device cannot run a pair with these knobs, or nothing.
+/// Why a device cannot run a pair with these knobs on a scene that calls for `present`, or nothing.
 std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency, const Knobs& knobs);
+                                     const TechniqueInfo& transparency, const Knobs& knobs,
+                                     EffectSet present);
 
 class Renderer {
  public:

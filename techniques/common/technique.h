@@ -30,6 +30,8 @@ struct TechniqueInfo {
   std::string paper;   ///< authors, year, section
   EffectSet represents;
   std::vector<rhi::Feature> requires_;
+  /// What a device must have besides where the scene calls for an effect.
+  std::map<Effect, rhi::Feature> requiresFor;
   std::vector<KnobInfo> knobs;
   std::string error;   ///< what its error is by construction (spec 16's table)
   bool stochastic = false;

@@ -12,44 +12,68 @@ glm::vec3 tau(const Optics& o) { return glm::vec3(1) - o.alpha * (glm::vec3(1) -
 
 TEST(Optics, OpaqueBlocksAll) {
   Material m;
-  const Optics o = optics(m, {1, 1, 1, 0.3f}, 0, 0);
+  const Optics o = optics(m, {.baseColor = {1, 1, 1, 0.3f}});
   EXPECT_EQ(tau(o), glm::vec3(0));
-  EXPECT_EQ(o.cameraAlpha, 1);
+  EXPECT_EQ(o.alpha, 1);
+  EXPECT_EQ(o.behind, glm::vec3(0));
 }
 
 TEST(Optics, MaskBlocksAtAndAboveTheCutoff) {
   Material m;
   m.alphaMode = AlphaMode::Mask;
   m.alphaCutoff = 0.5f;
-  EXPECT_EQ(optics(m, {1, 1, 1, 0.5f}, 0, 0).alpha, 1);
-  EXPECT_EQ(optics(m, {1, 1, 1, 0.499f}, 0, 0).alpha, 0);
-  EXPECT_EQ(optics(m, {1, 1, 1, 0.499f}, 0, 0).cameraAlpha, 0);
+  EXPECT_EQ(optics(m, {.baseColor = {1, 1, 1, 0.5f}}).alpha, 1);
+  EXPECT_EQ(optics(m, {.baseColor = {1, 1, 1, 0.499f}}).alpha, 0);
+  EXPECT_EQ(optics(m, {.baseColor = {1, 1, 1, 0.499f}}).behind, glm::vec3(1));
 }
 
-TEST(Optics, BlendLetsHalfItsColourThrough) {
+TEST(Optics, BlendLetsHalfItsColourThroughAndHidesGrey) {
   Material m;
   m.alphaMode = AlphaMode::Blend;
-  const Optics o = optics(m, {0, 0.5f, 1, 0.25f}, 0, 0);
+  const Optics o = optics(m, {.baseColor = {0, 0.5f, 1, 0.25f}});
   EXPECT_EQ(o.alpha, 0.25f);
   EXPECT_EQ(o.transmission, glm::vec3(0, 0.25f, 0.5f));
   EXPECT_EQ(tau(o), glm::vec3(0.75f, 0.8125f, 0.875f));
-  EXPECT_EQ(o.cameraAlpha, 0.25f);
+  EXPECT_EQ(o.behind, glm::vec3(0.75f));
 }
 
-TEST(Optics, TransmissionTimesColourTimesVolume) {
+TEST(Optics, TransmissionTimesColourForLightAndCamera) {
   Material m;
-  m.transmission = 0.8f;
-  Optics o = optics(m, {1, 0.5f, 0, 1}, 0.8f, 0);
+  m.transmission = 0.75f;
+  const Optics o = optics(m, {.baseColor = {1, 0.5f, 0, 1}, .transmission = 0.75f});
   EXPECT_EQ(o.alpha, 1);
-  EXPECT_EQ(o.transmission, glm::vec3(0.8f, 0.4f, 0));
-  EXPECT_NEAR(o.cameraAlpha, 0.2f, 1e-7);
-  m.attenuationColor = {0.25f, 1, 1};
-  m.attenuationDistance = 2;
-  o = optics(m, {1, 0.5f, 0, 1}, 0.8f, 1);  // half the distance: the root of the colour
-  EXPECT_NEAR(o.transmission.r, 0.4f, 1e-6);
-  EXPECT_NEAR(o.transmission.g, 0.4f, 1e-6);
+  EXPECT_EQ(o.transmission, glm::vec3(0.75f, 0.375f, 0));
+  EXPECT_EQ(o.behind, o.transmission);
   m.alphaMode = AlphaMode::Mask;
-  EXPECT_EQ(optics(m, {1, 1, 1, 0}, 0.8f, 0).alpha, 0);
+  EXPECT_EQ(optics(m, {.baseColor = {1, 1, 1, 0}, .transmission = 0.75f}).alpha, 0);
+}
+
+TEST(Optics, AClosedMeshAbsorbsItsThicknessOnceAtTwoBoundaries) {
+  Material m;
+  m.transmission = 1;
+  m.attenuationColor = {0.25f, 0.5f, 1};
+  m.attenuationDistance = 2;
+  const glm::vec3 t = optics(m, {.transmission = 1, .thickness = 2}).transmission;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(t[c] * t[c], m.attenuationColor[c], 1e-6);
+  EXPECT_EQ(optics(m, {.transmission = 1}).transmission, glm::vec3(1)) << "thin";
+}
+
+TEST(Optics, MetalsDoNotTransmit) {
+  Material m;
+  m.transmission = 1;
+  const Optics metal = optics(m, {.metallic = 1, .transmission = 1});
+  EXPECT_EQ(tau(metal), glm::vec3(0));
+  EXPECT_EQ(metal.behind, glm::vec3(0));
+  EXPECT_EQ(tau(optics(m, {.metallic = 0.5f, .transmission = 1})), glm::vec3(0.5f));
+}
+
+TEST(Optics, AlphaOfBlendIsCoverageBesideTransmission) {
+  Material m;
+  m.alphaMode = AlphaMode::Blend;
+  m.transmission = 1;
+  const Optics o = optics(m, {.baseColor = {1, 0, 0, 0.25f}, .transmission = 1});
+  EXPECT_EQ(tau(o), glm::vec3(1, 0.75f, 0.75f));
+  EXPECT_EQ(o.behind, glm::vec3(1, 0.75f, 0.75f));
 }
 
 TEST(Optics, ExtrasStateThemOutright) {
@@ -57,9 +81,12 @@ TEST(Optics, ExtrasStateThemOutright) {
   m.opticsOverride = true;
   m.overrideAlpha = 0.5f;
   m.overrideTransmission = {1, 0, 0};
-  const Optics o = optics(m, {0, 0, 0, 1}, 0, 0);
+  Optics o = optics(m, {.baseColor = {0, 0, 0, 1}});
   EXPECT_EQ(tau(o), glm::vec3(1, 0.5f, 0.5f));
-  EXPECT_EQ(o.cameraAlpha, 0.5f);
+  EXPECT_EQ(o.behind, glm::vec3(0.5f));
+  m.transmission = 1;
+  o = optics(m, {.baseColor = {0, 0, 0, 1}, .metallic = 1, .transmission = 1});
+  EXPECT_EQ(o.behind, glm::vec3(1, 0.5f, 0.5f)) << "glass is seen through by its colour";
 }
 
 // A scene of one material and one textureless triangle of it.
@@ -88,6 +115,32 @@ TEST(MaterialTraits, Classes) {
   m.baseColor = {0, 0, 1, 0.5f};
   EXPECT_TRUE(traits(sceneOf(m)).coloured);
   EXPECT_FALSE(traits(sceneOf(m)).textured);
+}
+
+TEST(MaterialTraits, GlassMetalAndBlackGlass) {
+  Material m;
+  m.transmission = 1;
+  m.metallic = 0;
+  EXPECT_EQ(traits(sceneOf(m)).lightClass, MaterialClass::Translucent);
+  EXPECT_TRUE(traits(sceneOf(m)).cameraTranslucent && traits(sceneOf(m)).cameraColoured);
+  Material metal = m, black = m;
+  metal.metallic = 1;
+  black.baseColor = {0, 0, 0, 1};
+  for (Material& none : {std::ref(metal), std::ref(black)}) {
+    EXPECT_EQ(traits(sceneOf(none)).lightClass, MaterialClass::Opaque);
+    EXPECT_FALSE(traits(sceneOf(none)).cameraTranslucent || traits(sceneOf(none)).cameraColoured);
+    none.alphaMode = AlphaMode::Blend;
+    none.baseColor.a = 0.5f;
+    EXPECT_EQ(traits(sceneOf(none)).lightClass, MaterialClass::Translucent);
+    EXPECT_TRUE(traits(sceneOf(none)).cameraTranslucent);
+    EXPECT_FALSE(traits(sceneOf(none)).cameraColoured);
+  }
+  m.opticsOverride = true;
+  m.overrideAlpha = 0.5f;
+  m.overrideTransmission = {1, 0, 0};
+  EXPECT_TRUE(traits(sceneOf(m)).cameraColoured);
+  m.transmission = 0;
+  EXPECT_FALSE(traits(sceneOf(m)).cameraColoured) << "procedural scenes stay grey to the camera";
 }
 
 TEST(MaterialTraits, TexelsAndVertexColoursCount) {
