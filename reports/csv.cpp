@@ -112,6 +112,13 @@ void addErrors(std::vector<Column>& c) {
   addError(c, "visibility", [](const Record& r) { return r.visibility ? &r.visibility->all : nullptr; });
   addError(c, "visibility_interior",
            [](const Record& r) { return r.visibility ? &r.visibility->interior : nullptr; });
+  c.push_back({"visibility_one_sided", [](const Record& r) {
+                 return r.visibility ? std::to_string(r.visibility->oneSided) : std::string();
+               }});
+  c.push_back({"visibility_interior_one_sided", [](const Record& r) {
+                 return r.visibility ? std::to_string(r.visibility->oneSidedInterior)
+                                     : std::string();
+               }});
   for (const char* region : {"dark", "saturated", "pale", "lit"}) addRegion(c, region);
   addError(c, "image", [](const Record& r) { return r.image ? &r.image->all : nullptr; });
   addError(c, "image_interior",

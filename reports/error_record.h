@@ -27,6 +27,9 @@ struct ErrorStats {
 
 struct VisibilityError {
   ErrorStats all, interior;
+  /// Pixels that show a surface in one of the two pictures alone: they have no error, so they are
+  /// counted. `interior`: away from the truth's discontinuities, where there should be none.
+  uint64_t oneSided = 0, oneSidedInterior = 0;
 };
 
 /// Visibility error of one light at one layer of surfaces.

@@ -11,7 +11,9 @@ Json toJson(const ErrorStats& e) {
 
 Json toJson(const VisibilityError& e) {
   Json out = toJson(e.all);
+  out["one_sided"] = e.oneSided;
   out["interior"] = toJson(e.interior);
+  out["interior"]["one_sided"] = e.oneSidedInterior;
   return out;
 }
 

@@ -21,7 +21,12 @@ ErrorStats readStats(const Field& f) {
 }
 
 VisibilityError readVisibility(const Field& f) {
-  return {readStats(f), readStats(f.at("interior"))};
+  const Field interior = f.at("interior");
+  VisibilityError e{readStats(f), readStats(interior)};
+  // Earlier files did not count them.
+  if (const auto count = f.find("one_sided")) e.oneSided = count->integer<uint64_t>();
+  if (const auto count = interior.find("one_sided")) e.oneSidedInterior = count->integer<uint64_t>();
+  return e;
 }
 
 ImageError readImage(const Field& f) {

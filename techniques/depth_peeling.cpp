@@ -1,7 +1,8 @@
 // Depth peeling (Everitt 2001); spec 15, B. Each pass draws all translucent surfaces and keeps, per
 // pixel, the nearest fragment behind the layer before; a full-screen pass slides it under the
 // layers so far. k + 1 peeling passes for k layers, each with its own shading; two depth buffers,
-// two colour targets (five where the scene has glass: ColouredLayers). Exact up to `layers`; coplanar surfaces count as one layer, and what lies
+// two colour targets (five where the scene has glass: ColouredLayers). Exact up to `layers`;
+// surfaces in one plane are layers in the order of their keys (CoplanarSurfaces), and what lies
 // behind the last layer is lost: an error of at most the product of (1 - a) in front of it.
 //   stop=query  stops behind the first empty layer, which an occlusion query found a frame earlier
 //               (of a camera in motion: a loop earlier, at the same place)
@@ -58,8 +59,9 @@ class DepthPeeling final : public TransparencyTechnique {
 
  private:
   void createPipelines(const Context& context, CameraPass& camera) {
-    rhi::GraphicsPipelineDesc peel =
-        camera.translucentPipeline(m_coloured ? "depth_peeling/coloured" : "depth_peeling");
+    std::string folder = m_coloured ? "depth_peeling/coloured" : "depth_peeling";
+    if (!context.view.gpu().coplanar().empty()) folder += "/coplanar";
+    rhi::GraphicsPipelineDesc peel = camera.translucentPipeline(folder);
     if (m_coloured) peel.targets.push_back({.format = CameraPass::kColorFormat});
     // Or equal: a layer may lie on the far plane, where the buffer was cleared to.
     peel.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
@@ -185,9 +187,8 @@ REGISTER_TECHNIQUE(
                               .min = 1,
                               .max = 64,
                               .sweep = {"1", "2", "4", "8"}}},
-                   .error = "none up to the number of layers; coplanar surfaces count as one",
-                   .breaksIn = {{"camera layers", "what lies behind `layers` of them is lost"},
-                                {"camera coplanar", "surfaces of one depth peel as one layer"}}}));
+                   .error = "none up to the number of layers",
+                   .breaksIn = {{"camera layers", "what lies behind `layers` of them is lost"}}}));
 
 }  // namespace
 }  // namespace sb

@@ -1,10 +1,10 @@
 // Dual depth peeling (Bavoil, Myers 2008); spec 15, C. Each pass peels two layers, the nearest and
-// the farthest that are left: their depths come from the pass before by MAX blending of
-// (-depth, depth), front layers are blended under, back layers over. One pass without shading, then
-// ceil(k / 2) with three targets. Where the scene has glass, each pass writes its two layers with
-// their weights to four targets beside the bounds; two full-screen passes slide the front one under
-// the others (ColouredLayers) and lay the back one over the picture. Exact up to `layers`; what is left in the middle beyond that is
-// lost. Coplanar surfaces both count, in the order of drawing.
+// the farthest that are left: their depths come from the pass before by MAX blending of (-depth,
+// depth), front layers are blended under, back layers over. One pass without shading, then ceil(k /
+// 2) with three targets. Where the scene has glass, each pass writes its two layers with their
+// weights to four targets beside the bounds; two full-screen passes slide the front one under the
+// others (ColouredLayers) and lay the back one over the picture. Exact up to `layers`; what is left
+// in the middle beyond that is lost. Surfaces in one plane are layers in the order of their keys.
 //   stop=query  runs as many passes as the last frame needed; an occlusion query over the bounds
 //               that are left (a draw of the composite pass) proves that they were enough
 //   stop=count  always peels ceil(layers / 2) times

@@ -7,7 +7,7 @@
 // With samples=4 the edges of translucent surfaces are those of the samples, not of pixel centres,
 // and each triangle that shares a pixel draws numbers of its own.
 // Where the scene has glass, samples are kept by channel: ColouredStochastic.
-// Of coplanar surfaces basic shows the last one drawn.
+// Surfaces in one plane are layers in the order of their keys (CoplanarSurfaces).
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/coloured_stochastic.h"
 #include "techniques/common/registry.h"

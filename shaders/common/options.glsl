@@ -4,3 +4,4 @@ layout(constant_id = 0) const bool kTextured = false;       // any material has 
 layout(constant_id = 1) const bool kNormalMaps = false;     // a visible material has a normal map
 layout(constant_id = 2) const bool kMasked = false;         // this pipeline discards by alpha mask
 layout(constant_id = 3) const bool kTriangleOrder = false;  // triangles come in an order of their own
+layout(constant_id = 4) const bool kCoplanar = false;       // surfaces lie over others in one plane

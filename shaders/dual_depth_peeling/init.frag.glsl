@@ -3,6 +3,7 @@
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/material.glsl"
+#include "common/layer_depth.glsl"
 layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
 layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
@@ -10,6 +11,7 @@ layout(location = 0) out vec2 o_bounds;
 
 void main() {
   if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha <= 0.0) discard;
-  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
-  o_bounds = vec2(-gl_FragCoord.z, gl_FragCoord.z);
+  float depth = layerDepth();
+  if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
+  o_bounds = vec2(-depth, depth);
 }

@@ -1,5 +1,6 @@
 // Puts a fragment at the head of its pixel's list. Nodes come from a counter; beyond the pool the
 // counter goes on, so that what was dropped is known, and nothing is written.
+#include "common/layer_depth.glsl"
 #include "linked_lists/nodes.glsl"
 layout(early_fragment_tests) in;
 layout(binding = SLOT_STORAGE(STORAGE_TRANSPARENCY), std430) buffer HeadBlock { uint heads[]; };
@@ -16,7 +17,7 @@ uint claimNode() {
 // The colour stands in its words by now.
 void linkNode(uint node) {
   uint at = node * nodeWords();
-  nodes[at] = floatBitsToUint(gl_FragCoord.z);
+  nodes[at] = floatBitsToUint(layerDepth());
   nodes[at + 1u] = currentSurfaceKey(instances[draw.ids.x]);
   uvec2 pixel = uvec2(gl_FragCoord.xy);
   nodes[at + 2u] = atomicExchange(heads[pixel.y * frame.counts.y + pixel.x], node);

@@ -13,6 +13,12 @@ vec4 colourOf(uint at) {
 uvec4 tailLow, tailHigh;
 uint tailLog;
 
+void clearTail() {
+  tailLow = uvec4(0);
+  tailHigh = uvec4(0);
+  tailLog = 0u;
+}
+
 void addToTail(uint at) {
   vec4 color = colourOf(at);
   uvec4 carry;
@@ -25,8 +31,7 @@ void addToTail(uint at) {
 void main() {
   // Return, not discard: lanes without coverage read zeros and would walk from node 0 to node 0.
   if (gl_HelperInvocation) return;
-  tailLow = tailHigh = uvec4(0);
-  tailLog = 0u;
+  clearTail();
   uint count = sortList();
   if (count == 0u) discard;
   vec3 color = vec3(0);

@@ -5,6 +5,7 @@
 #include "common/scene.glsl"
 #include "common/transform.glsl"
 #include "common/material.glsl"
+#include "common/layer_depth.glsl"
 #include "common/shared_hash.h"
 #include "stochastic_transparency/subset.glsl"
 layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
@@ -14,11 +15,12 @@ layout(location = 4) in vec4 v_color;
 void main() {
   InstanceData i = instances[draw.ids.x];
   float alpha = lightOptics(materials[i.ids.x], v_uv, v_color).alpha;
-  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
+  float depth = layerDepth();
+  if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
   uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
   uint kept = keptSamples(alpha, surfaceKey(i.ids.w, i.ids.y, triangle));
   // Without multisampling a sample mask means nothing to OpenGL.
   if (alpha <= 0.0 || kept == 0u) discard;
   gl_SampleMask[0] = int(kept);
-  gl_FragDepth = gl_FragCoord.z;
+  gl_FragDepth = depth;
 }

@@ -1,34 +1,3 @@
 #version 450
-// The visibility buffer (decision D10): the technique's bare answer for one light, at one layer of
-// surfaces. Layers are peeled by depth: a fragment at or before the previous layer, or behind the
-// first opaque surface, is not of this layer.
-#include "common/options.glsl"
-#include "common/scene.glsl"
-#include "common/transform.glsl"
-#include "common/material.glsl"
-#include "common/receiver.glsl"
-#include <technique/visibility.glsl>
-#include "common/surface.glsl"
-#define SURFACE_IO in
-#include "common/surface_io.glsl"
-layout(binding = SLOT_UNIFORM(UNIFORM_PASS), std140) uniform PassBlock { uvec4 passIds; };
-layout(binding = SLOT_TEXTURE(TEXTURE_PREVIOUS_LAYER)) uniform sampler2D t_previousLayer;
-layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
-layout(location = 0) out vec4 o_visibility;
-
-#define PASS_LIGHT passIds.x
-#define PASS_LAYER passIds.y  // 0: first opaque surface, no peeling; n: n-th layer
-
-void main() {
-  InstanceData i = instances[draw.ids.x];
-  MaterialData m = materials[i.ids.x];
-  Receiver r = surfaceReceiver(i, v_position);
-  OpticsData optics = opticsAt(m, baseColorAt(m, v_uv, v_color), v_uv);
-  if (optics.alpha <= 0.0) discard;
-  if (PASS_LAYER > 0u) {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (gl_FragCoord.z > texelFetch(t_opaqueDepth, pixel, 0).r) discard;
-    if (PASS_LAYER > 1u && gl_FragCoord.z <= texelFetch(t_previousLayer, pixel, 0).r) discard;
-  }
-  o_visibility = vec4(lightVisibility(PASS_LIGHT, r), 1);
-}
+// For each technique: the body has #include <technique/visibility.glsl>.
+#include "templates/visibility_body.glsl"

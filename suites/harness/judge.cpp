@@ -128,6 +128,7 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
 
 void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
   ErrorSum all, interior;
+  report::VisibilityError total;
   for (const Answer& a : answers)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const Values measured = a.layers[layer], expected = truthAt(a.light, layer);
@@ -137,13 +138,23 @@ void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& 
                                .layer = layer,
                                .error = {errorOf(measured, expected),
                                          errorOf(measured, expected, edges)}};
-      if (error.error.all.pixels == 0) continue;
+      error.error.oneSided = oneSided(measured, m_truth->surfaces[layer]);
+      error.error.oneSidedInterior = oneSided(measured, m_truth->surfaces[layer], edges);
+      total.oneSided += error.error.oneSided;
+      total.oneSidedInterior += error.error.oneSidedInterior;
+      if (error.error.all.pixels == 0 && error.error.oneSided == 0) continue;
       all.add(measured, expected);
       interior.add(measured, expected, edges);
       record.visibilityLayers.push_back(std::move(error));
     }
-  if (all.stats().pixels > 0)
-    record.visibility = report::VisibilityError{all.stats(), interior.stats()};
+  total.all = all.stats();
+  total.interior = interior.stats();
+  if (total.oneSidedInterior > 0)
+    record.warnings.push_back(std::to_string(total.oneSidedInterior) +
+                              " pixels away from edges show a surface to the technique or to the "
+                              "truth alone: they are in no error");
+  if (total.all.pixels > 0)
+    record.visibility = total;
   else
     record.why["visibility"] = "no lit surface is in the picture";
 }

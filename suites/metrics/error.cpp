@@ -97,6 +97,16 @@ report::ErrorStats errorOf(Values measured, Values truth, std::span<const uint8_
   return sum.stats();
 }
 
+uint64_t oneSided(Values measured, std::span<const uint8_t> surfaces,
+                  std::span<const uint8_t> mask) {
+  if (measured.size() != 4 * surfaces.size() || (!mask.empty() && mask.size() != surfaces.size()))
+    throw std::invalid_argument("pictures to compare differ in size");
+  uint64_t count = 0;
+  for (size_t p = 0; p < surfaces.size(); ++p)
+    count += (measured[4 * p + 3] != 0) != (surfaces[p] != 0) && (mask.empty() || mask[p] == 0);
+  return count;
+}
+
 report::ImageError imageError(const report::Picture& measured, const report::Picture& truth,
                               std::span<const uint8_t> edges) {
   // A picture has a value everywhere, whatever its alpha says.

@@ -25,6 +25,11 @@ class ErrorSum {
   std::vector<float> m_differences;  ///< three a pixel
 };
 
+/// Pixels where one of the two alone shows a surface: `measured` by its alpha, the truth by `surfaces`
+/// (not 0). Those whose mask is not 0, if given, are left out.
+uint64_t oneSided(Values measured, std::span<const uint8_t> surfaces,
+                  std::span<const uint8_t> mask = {});
+
 /// Error of a picture; `edges` as in Truth::imageEdges.
 report::ImageError imageError(const report::Picture& measured, const report::Picture& truth,
                               std::span<const uint8_t> edges);

@@ -20,8 +20,9 @@ void makeFlatNormals(Mesh& mesh);
 /// Normalizes the normals; those of no length or not finite become those of an adjacent triangle.
 /// Returns how many.
 size_t repairNormals(Mesh& mesh);
-/// Tangents along u of the given set, averaged over the triangles around a vertex and made
-/// perpendicular to its normal; w says on which side v runs. Any perpendicular one where uv says
+/// Tangents along u of the given set, as MikkTSpace has them: weighted by the angle of each triangle
+/// at a vertex, perpendicular to its normal; cross(normal, tangent) * w points to where v falls.
+/// Vertices that mirrored and upright triangles share are split. Any perpendicular one where uv says
 /// nothing.
 void makeTangents(Mesh& mesh, uint32_t uvSet);
 /// The mesh with its winding and tangent handedness reversed: what a transform with a negative

@@ -22,7 +22,7 @@ double extentOf(const std::vector<TruthTriangle>& triangles, const std::vector<d
 
 /// Coplanar surfaces meet a ray at depths that differ by what their coordinates are rounded to, more
 /// at grazing angles: only within this share of the scene's size are planes compared at all.
-constexpr double kTieRange = 1e-3;
+constexpr double kTieRange = 1e-4;
 
 /// Is a point in a triangle's plane, as far as doubles can tell? It is on an edge that surfaces
 /// share, or a light in a ceiling: which side rounding puts it on must not matter.

@@ -90,7 +90,8 @@ rhi::GraphicsPipelineDesc CameraPass::surfacePipeline(const std::string& label,
   std::vector<rhi::SpecConstant> constants = {
       {0, m_context.view.gpu().textured()},
       {1, m_context.plan.runs(Effect::NormalMaps)},
-      {2, masked}};
+      {2, masked},
+      {4, !m_context.view.gpu().coplanar().empty()}};
   constants.insert(constants.end(), m_inputs.constants.begin(), m_inputs.constants.end());
   desc.constants = declaredConstants({desc.vertex, desc.fragment}, constants);
   return desc;
@@ -109,7 +110,9 @@ rhi::GraphicsPipelineDesc CameraPass::unshadedPipeline(const std::string& fragme
   desc.label = fragment;
   desc.fragment = &m_context.shaders.get(fragment);
   desc.constants =
-      declaredConstants({desc.vertex, desc.fragment}, {{0, m_context.view.gpu().textured()}});
+      declaredConstants({desc.vertex, desc.fragment},
+                        {{0, m_context.view.gpu().textured()},
+                         {4, !m_context.view.gpu().coplanar().empty()}});
   desc.depth = {};
   desc.targets = {};
   desc.depthFormat = rhi::Format::Undefined;

@@ -43,7 +43,8 @@ rhi::AddressMode addressMode(Wrap wrap) {
 
 }  // namespace
 
-GpuScene::GpuScene(rhi::Device& device, const Scene& scene) : m_scene(scene) {
+GpuScene::GpuScene(rhi::Device& device, const Scene& scene)
+    : m_scene(scene), m_coplanar(scene) {
   uploadMeshes(device);
   uploadMaterials(device);
   device.waitIdle();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "backends/rhi/device.h"
-#include "techniques/common/scene.h"
+#include "techniques/common/coplanar_surfaces.h"
 
 namespace sb {
 
@@ -26,6 +26,9 @@ class GpuScene {
   };
   const MeshRange& mesh(uint32_t index) const { return m_meshes[index]; }
 
+  /// Surfaces that lie over others in one plane.
+  const CoplanarSurfaces& coplanar() const { return m_coplanar; }
+
   /// Vertex buffer 0: positions (12 bytes); vertex buffer 1: the other attributes.
   rhi::BufferId positions() const { return m_positions; }
   rhi::BufferId attributes() const { return m_attributes; }
@@ -45,6 +48,7 @@ class GpuScene {
   void uploadMaterials(rhi::Device& device);
 
   const Scene& m_scene;
+  CoplanarSurfaces m_coplanar;
   bool m_textured = false;
   std::vector<MeshRange> m_meshes;
   rhi::Buffer m_positions, m_attributes, m_indices, m_triangles, m_materials;

@@ -71,6 +71,12 @@ void SceneView::createBuffers(rhi::Device& device) {
   const auto lights = std::ranges::count_if(m_effects.lights, &LightEffects::touchesView);
   m_lights = makeStorage(device, "view lights", uint64_t(lights) * sizeof(gpu::LightData));
   m_shadowViews = makeStorage(device, "view shadow views", 0);
+  const CoplanarSurfaces& coplanar = m_gpu.coplanar();
+  if (!coplanar.empty()) {
+    const CameraMatrices any = cameraMatrices(scene().camera(), aspect());
+    m_coplanar = makeStorage(device, "view coplanar surfaces",
+                             bytesOf(coplanar.words(any, m_size.width, m_size.height)).size());
+  }
   bind();
 }
 
@@ -79,6 +85,8 @@ void SceneView::bind() {
                 rhi::uniformAt(UNIFORM_FRAME, m_frame, 0, sizeof(gpu::FrameData)),
                 rhi::storageAt(STORAGE_INSTANCES, m_instances),
                 rhi::storageAt(STORAGE_LIGHTS, m_lights),
+                // Scenes without such surfaces do not read it.
+                rhi::storageAt(STORAGE_COPLANAR, m_coplanar ? m_coplanar.id() : m_instances.id()),
                 rhi::storageAt(STORAGE_SHADOW_VIEWS, m_shadowViews),
                 m_gpu.materials(),
                 m_gpu.triangles()};
@@ -153,6 +161,8 @@ void SceneView::setSeed(rhi::Device& device, uint32_t seed) {
 
 void SceneView::writeAll(const Write& write) {
   write(m_instances, bytesOf(m_instanceData));
+  if (m_coplanar)
+    write(m_coplanar, bytesOf(m_gpu.coplanar().words(m_camera, m_size.width, m_size.height)));
   writeFrame(write);
   writeLights(write);
 }

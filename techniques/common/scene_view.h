@@ -85,7 +85,7 @@ class SceneView {
   std::vector<LightView> m_lightViews;
   std::vector<gpu::InstanceData> m_instanceData;
   uint64_t m_drawStride = 256;
-  rhi::Buffer m_draws, m_frame, m_instances, m_lights, m_shadowViews;
+  rhi::Buffer m_draws, m_frame, m_instances, m_lights, m_shadowViews, m_coplanar;
   std::vector<rhi::Binding> m_bindings;
 };
 

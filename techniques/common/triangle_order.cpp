@@ -64,11 +64,12 @@ void TriangleOrder::sortEntries() {
     const glm::dvec3 translation = glm::dvec3(instance.toWorld[3]) - m_view->camera().eye;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
       m_entries.push_back(
-          {m_rank(linear * centroids[t] + translation), instance.key, mesh.triangleKeys[t], i, t});
+          {m_rank(linear * centroids[t] + translation), mesh.key, instance.key,
+           mesh.triangleKeys[t], i, t});
   }
   std::ranges::sort(m_entries, [](const Entry& a, const Entry& b) {
-    return std::tie(a.rank, a.instanceKey, a.triangleKey) <
-           std::tie(b.rank, b.instanceKey, b.triangleKey);
+    return std::tie(a.rank, b.meshKey, b.instanceKey, b.triangleKey) <
+           std::tie(b.rank, a.meshKey, a.instanceKey, a.triangleKey);
   });
 }
 

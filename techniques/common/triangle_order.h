@@ -18,7 +18,8 @@ class TriangleOrder {
   using Rank = std::function<double(const glm::dvec3&)>;
 
   /// Sorts the triangles of `instances` by `rank` of their centroid (camera-relative world), least
-  /// first; persistent keys break ties, so that the order of the file plays no part. `extra`:
+  /// first; of triangles in one place the last by persistent keys comes first, so that the order of
+  /// the file plays no part and the first one is the nearest layer. `extra`:
   /// bindings of the draws beside the common ones. Pipelines that read a triangle's record need
   /// specialization constant 3. Both functions are asked again by `sort`.
   TriangleOrder(const Context& context, Instances instances, Rank rank,
@@ -36,7 +37,7 @@ class TriangleOrder {
   };
   struct Entry {
     double rank = 0;
-    uint32_t instanceKey = 0, triangleKey = 0, instance = 0, triangle = 0;
+    uint32_t meshKey = 0, instanceKey = 0, triangleKey = 0, instance = 0, triangle = 0;
   };
   void sortEntries();
   /// Fills the host's copies of the buffers.

@@ -37,7 +37,9 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
                                 .size = 16,
                                 .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
   m_sampler = device.createSampler({.label = "visibility sampler", .filter = rhi::Filter::Nearest});
-  rhi::GraphicsPipelineDesc desc = camera.surfacePipeline("visibility", "visibility.frag", false);
+  rhi::GraphicsPipelineDesc desc = camera.surfacePipeline(
+      "visibility",
+      context.view.gpu().coplanar().empty() ? "visibility.frag" : "visibility_coplanar.frag", false);
   desc.targets = {{.format = rhi::Format::RGBA32Float}};
   m_doubleSided = context.pipelines.get(desc);
   desc.raster.cull = rhi::CullMode::Back;

@@ -37,6 +37,13 @@ TEST(Error, StatisticsOfFourPixels) {
   EXPECT_DOUBLE_EQ(sum.stats().rmse, std::sqrt((2 * 0.25 + 2) / 15));
 }
 
+TEST(Error, PixelsThatOneOfTheTwoAloneCoversAreCounted) {
+  const std::vector<float> measured = {1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
+  const std::vector<uint8_t> surfaces = {1, 0, 2, 0}, mask = {0, 1, 0, 0};
+  EXPECT_EQ(oneSided(measured, surfaces), 2u);
+  EXPECT_EQ(oneSided(measured, surfaces, mask), 1u);
+}
+
 TEST(Error, PercentileIsTheLeastValueThatAllButAThousandthKeepTo) {
   std::vector<float> truth, measured;
   for (int i = 1; i <= 2000; ++i) {

@@ -34,7 +34,7 @@ ErrorStats stats(double rmse) {
 
 void addErrors(Record& r) {
   r.why = {{"device_ms", "plain frames carry no stamps"}};
-  r.visibility = VisibilityError{stats(0.125), stats(0.03125)};
+  r.visibility = VisibilityError{stats(0.125), stats(0.03125), 7, 3};
   r.visibilityLayers = {
       {.light = 0, .lightName = "sun <1>", .layer = 0, .error = {stats(0.125), stats(0.03125)}}};
   r.visibilityRegions = {

@@ -10,6 +10,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/procedural_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/scene_edit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shared_scenes_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/tangents_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/transform_test.cpp)
 target_link_libraries(unit_tests PRIVATE scenes)
 target_compile_definitions(unit_tests PRIVATE

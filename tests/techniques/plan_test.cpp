@@ -193,5 +193,20 @@ TEST(PlanOfPasses, WhatIsNotRepresentedIsListed) {
   EXPECT_TRUE(has(record(area, "CSSM2"), Effect::AreaLights));
 }
 
+TEST(Plan, GlassAddsWeightsPerChannelAndNothingElse) {
+  const Scene grey = withPane(opaqueScene());
+  Scene glassy = grey;
+  glassy.materials.back().transmission = 1;
+  const Recorded a = record(grey, "none"), b = record(glassy, "none");
+  EXPECT_FALSE(a.plan.runs(Effect::ColouredTransparency));
+  EXPECT_TRUE(b.plan.runs(Effect::ColouredTransparency));
+  EXPECT_EQ(passes(a), passes(b));
+  EXPECT_EQ(a.bytes, b.bytes) << "blending from two sources needs no target of its own";
+  const auto why = std::ranges::find(a.plan.skipped, Effect::ColouredTransparency,
+                                     &std::pair<Effect, std::string>::first);
+  ASSERT_NE(why, a.plan.skipped.end());
+  EXPECT_EQ(why->second, "no visible surface transmits what lies behind");
+}
+
 }  // namespace
 }  // namespace sb::test

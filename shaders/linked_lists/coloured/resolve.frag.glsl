@@ -21,6 +21,14 @@ Layer layerAt(uint at) {
 // and of 1 - weight, and of the logarithms of the weights.
 uvec3 lightLow, lightHigh, hidesLow, hidesHigh, tailLog;
 
+void clearTail() {
+  lightLow = uvec3(0);
+  lightHigh = uvec3(0);
+  hidesLow = uvec3(0);
+  hidesHigh = uvec3(0);
+  tailLog = uvec3(0);
+}
+
 void addToTail(uint at) {
   Layer layer = layerAt(at);
   uvec3 carry;
@@ -37,7 +45,7 @@ vec3 sumOf(uvec3 low, uvec3 high) { return vec3(high) * 65536.0 + vec3(low) * (1
 void main() {
   // Return, not discard: lanes without coverage read zeros and would walk from node 0 to node 0.
   if (gl_HelperInvocation) return;
-  lightLow = lightHigh = hidesLow = hidesHigh = tailLog = uvec3(0);
+  clearTail();
   uint count = sortList();
   if (count == 0u) discard;
   vec3 color = vec3(0), through = vec3(1);

@@ -6,6 +6,7 @@
 #include "common/scene.glsl"
 #include "common/transform.glsl"
 #include "common/material.glsl"
+#include "common/layer_depth.glsl"
 #include "common/shared_hash.h"
 #include "stochastic_transparency/subset.glsl"
 layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
@@ -16,22 +17,23 @@ layout(location = 1) out vec4 o_depth1;
 layout(location = 2) out vec4 o_depth2;
 layout(location = 3) out vec4 o_depth3;
 
-vec4 depthsOf(uvec3 kept, uint s) {
+vec4 depthsOf(float depth, uvec3 kept, uint s) {
   // 2 lies behind everything.
-  return vec4(mix(vec3(2), vec3(gl_FragCoord.z), notEqual(kept & (1u << s), uvec3(0))), 2);
+  return vec4(mix(vec3(2), vec3(depth), notEqual(kept & (1u << s), uvec3(0))), 2);
 }
 
 void main() {
   InstanceData i = instances[draw.ids.x];
   OpticsData optics = lightOptics(materials[i.ids.x], v_uv, v_color);
-  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
+  float depth = layerDepth();
+  if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
   uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
   uint key = surfaceKey(i.ids.w, i.ids.y, triangle);
   uvec3 kept;
   for (int c = 0; c < 3; ++c) kept[c] = keptSamples(1.0 - optics.behind[c], key);
   if (kept == uvec3(0)) discard;
-  o_depth0 = depthsOf(kept, 0u);
-  o_depth1 = depthsOf(kept, 1u);
-  o_depth2 = depthsOf(kept, 2u);
-  o_depth3 = depthsOf(kept, 3u);
+  o_depth0 = depthsOf(depth, kept, 0u);
+  o_depth1 = depthsOf(depth, kept, 1u);
+  o_depth2 = depthsOf(depth, kept, 2u);
+  o_depth3 = depthsOf(depth, kept, 3u);
 }

@@ -3,6 +3,7 @@
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/material.glsl"
+#include "common/layer_depth.glsl"
 layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
 layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
@@ -11,6 +12,6 @@ layout(location = 0) out vec4 o_transmittance;
 void main() {
   OpticsData optics = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);
   if (optics.alpha <= 0.0) discard;
-  if (gl_FragCoord.z > texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
+  if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, layerDepth())) discard;
   o_transmittance = vec4(optics.behind, 1);
 }

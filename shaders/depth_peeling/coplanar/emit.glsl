@@ -1,0 +1,3 @@
+// Where surfaces lie over others in one plane: depths are written, so that each is a layer.
+#define WRITES_DEPTH
+#include "depth_peeling/emit.glsl"
