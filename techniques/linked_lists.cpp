@@ -30,8 +30,13 @@ class LinkedLists final : public TransparencyTechnique {
     createBuffers(context, (half ? 20 : 16) + (m_coloured ? 4 : 0),
                   perPixel > 0 ? perPixel * width * height : countFragments(context, camera));
 
-    rhi::GraphicsPipelineDesc build =
-        camera.translucentPipeline(m_coloured ? "linked_lists/coloured" : "linked_lists");
+    std::string folder = m_coloured ? "linked_lists/coloured" : "linked_lists";
+    if (camera.coplanar()) folder += "/coplanar";
+    rhi::GraphicsPipelineDesc build = camera.translucentPipeline(folder);
+    if (camera.coplanar()) {
+      build.depth = {};
+      build.depthFormat = rhi::Format::Undefined;
+    }
     build.targets.clear();
     build.constants.push_back({32, half});
     m_build = context.pipelines.get(build);
@@ -42,10 +47,11 @@ class LinkedLists final : public TransparencyTechnique {
     m_resolve = context.pipelines.get(resolve);
 
     m_bindings = context.view.bindings();
-    const rhi::Binding lists[] = {rhi::storageAt(STORAGE_TRANSPARENCY, m_heads),
-                                  rhi::storageAt(STORAGE_TRANSPARENCY + 1, m_nodes),
-                                  rhi::storageAt(STORAGE_TRANSPARENCY + 2, m_asked)};
-    m_bindings.insert(m_bindings.end(), std::begin(lists), std::end(lists));
+    std::vector<rhi::Binding> lists = {rhi::storageAt(STORAGE_TRANSPARENCY, m_heads),
+                                       rhi::storageAt(STORAGE_TRANSPARENCY + 1, m_nodes),
+                                       rhi::storageAt(STORAGE_TRANSPARENCY + 2, m_asked)};
+    m_bindings.insert(m_bindings.end(), lists.begin(), lists.end());
+    if (camera.coplanar()) lists.push_back(camera.opaqueDepth());
     m_draws = camera.drawListWith(lists);
   }
 
@@ -55,13 +61,16 @@ class LinkedLists final : public TransparencyTechnique {
     const rhi::ResourceUse writes[] = {rhi::use(m_heads.id(), rhi::Access::StorageWrite),
                                        rhi::use(m_nodes.id(), rhi::Access::StorageWrite),
                                        rhi::use(m_asked.id(), rhi::Access::StorageWrite)};
+    rhi::PassDesc lists{.label = "lists", .writes = writes};
+    const rhi::ResourceUse depth = rhi::use(camera.depth(), rhi::Access::Sampled);
+    lists.extent = camera.view().size();
+    if (camera.coplanar())
+      lists.reads = {&depth, 1};
+    else
+      lists.depth = rhi::DepthAttachment{
+          .view = {.texture = camera.depth()}, .load = rhi::LoadOp::Load, .readOnly = true};
     camera.surfacePass(
-        frame,
-        {.label = "lists",
-         .depth =
-             rhi::DepthAttachment{
-                 .view = {.texture = camera.depth()}, .load = rhi::LoadOp::Load, .readOnly = true},
-         .writes = writes},
+        frame, lists,
         [&](rhi::CommandList& commands) { m_draws.draw(commands, m_build, camera.translucent()); });
     const rhi::ResourceUse reads[] = {rhi::use(m_heads.id(), rhi::Access::StorageRead),
                                       rhi::use(m_nodes.id(), rhi::Access::StorageRead)};

@@ -16,8 +16,15 @@ class Sorted final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
     const bool coloured = context.plan.runs(Effect::ColouredTransparency);
-    rhi::GraphicsPipelineDesc desc =
-        camera.translucentPipeline(coloured ? "sorted/coloured" : "sorted");
+    std::string folder = coloured ? "sorted/coloured" : "sorted";
+    if (camera.coplanar()) folder += "/coplanar";
+    rhi::GraphicsPipelineDesc desc = camera.translucentPipeline(folder);
+    std::vector<rhi::Binding> bindings = camera.inputs().bindings;
+    if (camera.coplanar()) {
+      desc.depth = {};
+      desc.depthFormat = rhi::Format::Undefined;
+      bindings.push_back(camera.opaqueDepth());
+    }
     desc.targets.front().blend = {.enabled = true,
                                   .dstColor = rhi::BlendFactor::OneMinusSrcAlpha,
                                   .dstAlpha = rhi::BlendFactor::OneMinusSrcAlpha};
@@ -33,7 +40,7 @@ class Sorted final : public TransparencyTechnique {
       m_triangles = TriangleOrder(
           context, [&view]() -> std::span<const uint32_t> { return view.effects().visibleTranslucent; },
           [&view](const glm::dvec3& centroid) { return -viewDepth(view, centroid); },
-          camera.inputs().bindings);
+          std::move(bindings));
     } else {
       m_instances = backToFront(view, camera.translucent());
     }

@@ -1,13 +1,19 @@
 // Depth of a fragment as layers are told apart. Triangles that lie over one another in one plane take
 // it from that plane and from their order in it (techniques/common/coplanar_surfaces.h); all others
-// have that of the rasteriser. Draws must come in the order of the mesh.
+// have that of the rasteriser.
+#ifndef LAYER_DEPTH
+#define LAYER_DEPTH
 layout(binding = SLOT_STORAGE(STORAGE_COPLANAR), std430) readonly buffer CoplanarBlock {
   uint coplanar[];
 };
 
 uint coplanarRecord() {
   uint first = coplanar[draw.ids.x];
-  return first == 0u ? 0u : coplanar[first + uint(gl_PrimitiveID)];
+  uint triangle = uint(gl_PrimitiveID);
+#ifdef HAS_TRIANGLE_ORDER
+  triangle = currentTriangleIndex();
+#endif
+  return first == 0u ? 0u : coplanar[first + triangle];
 }
 
 float layerDepth() {
@@ -33,3 +39,4 @@ bool hiddenBy(float opaque, float depth) {
   }
   return depth > opaque;
 }
+#endif

@@ -7,11 +7,16 @@ layout(binding = SLOT_STORAGE(STORAGE_TRIANGLE_ORDER), std430) readonly buffer T
   uint triangleOrder[];
 };
 
-TriangleData currentTriangle(InstanceData i) {
+// Number of the triangle at hand in its mesh.
+#define HAS_TRIANGLE_ORDER
+uint currentTriangleIndex() {
   uint index = uint(gl_PrimitiveID);
   // Triangles sorted one by one come through a list of their numbers.
-  if (kTriangleOrder) index = triangleOrder[draw.ids.y + index];
-  return triangles[i.ids.z + index];
+  return kTriangleOrder ? triangleOrder[draw.ids.y + index] : index;
+}
+
+TriangleData currentTriangle(InstanceData i) {
+  return triangles[i.ids.z + currentTriangleIndex()];
 }
 
 // Persistent key of the surface at hand (decision D2).

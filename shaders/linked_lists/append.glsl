@@ -1,6 +1,7 @@
 // Puts a fragment at the head of its pixel's list. Nodes come from a counter; beyond the pool the
 // counter goes on, so that what was dropped is known, and nothing is written.
 #include "common/layer_depth.glsl"
+#include "common/opaque_test.glsl"
 #include "linked_lists/nodes.glsl"
 layout(early_fragment_tests) in;
 layout(binding = SLOT_STORAGE(STORAGE_TRANSPARENCY), std430) buffer HeadBlock { uint heads[]; };

@@ -1,7 +1,7 @@
 // A node with the premultiplied colour of a fragment.
 #include "linked_lists/append.glsl"
 
-bool beginFragment(float alpha) { return !gl_HelperInvocation; }
+bool beginFragment(float alpha) { return !gl_HelperInvocation && !behindOpaque(); }
 
 void emitFragment(vec3 radiance, float alpha) {
   uint node = claimNode();

@@ -37,6 +37,12 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
   // Every pipeline may read the triangle order; only sorted triangles have one of their own.
   m_noOrder = context.device.createBuffer(
       {.label = "view triangle order", .size = 16, .use = rhi::BufferUse::Storage});
+  if (coplanar()) {
+    m_depthSampler = context.device.createSampler(
+        {.label = "opaque depth sampler", .filter = rhi::Filter::Nearest});
+    const rhi::Binding depth = opaqueDepth();
+    m_translucentDraws = drawListWith({&depth, 1});
+  }
   m_drawList = drawListWith({});
 
   fillBuckets();
@@ -174,6 +180,11 @@ void CameraPass::recordTranslucent(Frame& frame, std::span<const uint32_t> part)
 void CameraPass::translucentPass(Frame& frame, const std::string& label,
                                  const std::function<void(rhi::CommandList&)>& body) {
   const rhi::ColorAttachment color{.view = {.texture = m_color}, .load = rhi::LoadOp::Load};
+  if (coplanar()) {
+    const rhi::ResourceUse read = rhi::use(m_depth.id(), rhi::Access::Sampled);
+    surfacePass(frame, {.label = label, .colors = std::span(&color, 1), .reads = {&read, 1}}, body);
+    return;
+  }
   frame.pass({.label = label,
               .colors = std::span(&color, 1),
               .depth = rhi::DepthAttachment{.view = {.texture = m_depth},

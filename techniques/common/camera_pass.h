@@ -2,6 +2,7 @@
 // technique over them. Colour is linear RGBA16F, depth D32F.
 #pragma once
 
+#include "shaders/common/shared_slots.h"
 #include "techniques/common/draw_list.h"
 #include "techniques/common/registry.h"
 
@@ -47,6 +48,8 @@ class CameraPass {
   /// Feature::DualSourceBlend.
   rhi::GraphicsPipelineDesc colouredCompositePipeline(const std::string& fragment) const;
   /// A pass over the opaque picture: colour loaded, depth read only, visibility declared.
+  /// Where surfaces lie in one plane with opaque ones, depth is not attached but sampled: the shader
+  /// tests it (common/opaque_test.glsl, folders `.../coplanar`).
   void translucentPass(Frame& frame, const std::string& label,
                        const std::function<void(rhi::CommandList&)>& body);
   /// A pass with attachments of the technique's own that draws surfaces; what visibility reads is
@@ -60,7 +63,14 @@ class CameraPass {
   const SceneView& view() const { return m_context.view; }
   /// Instances that the camera sees through now, in scene order.
   std::span<const uint32_t> translucent() const { return view().effects().visibleTranslucent; }
-  DrawList& drawList() { return m_drawList; }
+  /// Of draws in `translucentPass`.
+  DrawList& drawList() { return coplanar() ? m_translucentDraws : m_drawList; }
+  /// Surfaces of the scene lie over others in one plane.
+  bool coplanar() const { return !view().gpu().coplanar().empty(); }
+  /// The opaque depth as shaders sample it; only where surfaces are coplanar.
+  rhi::Binding opaqueDepth() const {
+    return rhi::textureAt(TEXTURE_TRANSPARENCY, m_depth, m_depthSampler);
+  }
   /// A list of its own, with bindings beside those of visibility.
   DrawList drawListWith(std::span<const rhi::Binding> extra) const;
 
@@ -82,10 +92,11 @@ class CameraPass {
   std::string m_folder;
   VisibilityInputs m_inputs;
   rhi::Texture m_color, m_depth;
+  rhi::Sampler m_depthSampler;
   std::vector<Bucket> m_buckets;
   std::map<std::pair<bool, bool>, rhi::PipelineId> m_opaque;  ///< by masked and double-sided
   rhi::Buffer m_noOrder;
-  DrawList m_drawList;
+  DrawList m_drawList, m_translucentDraws;
   std::unique_ptr<TransparencyTechnique> m_transparency;
 };
 

@@ -2,7 +2,7 @@
 #define EMITS_WEIGHTS
 #include "linked_lists/append.glsl"
 
-bool beginFragment(OpticsData optics) { return !gl_HelperInvocation; }
+bool beginFragment(OpticsData optics) { return !gl_HelperInvocation && !behindOpaque(); }
 
 void emitFragment(vec3 light, vec3 behind) {
   uint node = claimNode();
