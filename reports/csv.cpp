@@ -77,6 +77,8 @@ void addDistribution(std::vector<Column>& columns, const std::string& name,
   add("q3", [](const Distribution& d) { return d.q3; });
   add("cv", [](const Distribution& d) { return d.cv; });
   add("n", [](const Distribution& d) { return d.n; });
+  add("p95", [](const Distribution& d) { return d.p95; });
+  add("p99", [](const Distribution& d) { return d.p99; });
 }
 
 void addError(std::vector<Column>& columns, const std::string& name,

@@ -57,6 +57,15 @@ TradePoint pointOf(const Record& r, ErrorKind kind) {
   return p;
 }
 
+/// The ratio that is shown wins over a quotient of other cells' medians.
+std::optional<double> timesBaseline(const Record& r, const std::optional<double>& baseline) {
+  if (r.technique == kBaseline) return 1;
+  for (const Ratio& ratio : r.ratios)
+    if (ratio.kind == "baseline") return ratio.value;
+  if (!baseline) return {};
+  return timeOf(r) / *baseline;
+}
+
 bool sameScene(const Record& r, const TradeOff& t) {
   return std::tie(r.scene, r.width, r.height) == std::tie(t.scene, t.width, t.height);
 }
@@ -97,6 +106,7 @@ void addPoints(TradeOff& t, const Run& run) {
     if (!r.transparency.empty()) transparencies.insert(r.transparency);
   }
   for (TradePoint& p : t.points) {
+    p.timesBaseline = timesBaseline(*p.record, t.baseline);
     const std::string& transparency = p.record->transparency;
     if (transparencies.size() > 1 && !transparency.empty()) p.technique += "+" + transparency;
     if (std::ranges::find(t.techniques, p.technique) == t.techniques.end())

@@ -21,6 +21,9 @@ struct TradePoint {
   std::string technique;   ///< one of TradeOff::techniques
   double time = 0;         ///< milliseconds of the compared time: CPU on software devices, else GPU
   Interval timeInterval;   ///< of the median of the means of blocks
+  /// Time over that of the same cell without shadows, as the record's ratio to it says; over the
+  /// group's baseline where the record has none. Absent: there is no baseline.
+  std::optional<double> timesBaseline;
   double error = 0;        ///< RMSE
   Interval errorInterval;  ///< over seeds; a point for what is not stochastic
   uint64_t bytes = 0;
@@ -75,7 +78,7 @@ struct TradeOff {
   /// In order of appearance; "technique+transparency" where the points have several transparencies.
   std::vector<std::string> techniques;
   std::vector<TradePoint> points;    ///< cells that are ok, not contaminated, and have an error
-  std::vector<TableRow> equalTime;   ///< 1, 2, 4, 8, 16 times the baseline; empty without one
+  std::vector<TableRow> equalTime;   ///< timesBaseline at most 1, 2, 4, 8, 16; empty without one
   std::vector<TableRow> equalError;  ///< RMSE 1e-1, 3e-2, 1e-2, 3e-3
   std::vector<Convergence> orders;
   std::vector<Exchange> exchanges;
