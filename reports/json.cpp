@@ -107,6 +107,7 @@ void putResults(Json& out, const Record& r) {
   put(out, r, "cross_backend_max_255", r.crossBackendMax255);
   put(out, r, "cross_backend_over_1_255", r.crossBackendOver1);
   out["picture"] = r.picture;
+  out["exposure"] = r.exposure;
   putErrors(out, r);
   out["pictures"] = r.pictures;
 }

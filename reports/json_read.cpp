@@ -137,6 +137,7 @@ void readResults(const Field& e, Record& r) {
   if (auto f = e.find("cross_backend_max_255")) r.crossBackendMax255 = f->signedInteger();
   if (auto f = e.find("cross_backend_over_1_255")) r.crossBackendOver1 = f->integer<uint64_t>();
   r.picture = textOf(e, "picture");
+  r.exposure = numberOf(e, "exposure").value_or(1);
   readErrors(e, r);
   if (auto pictures = e.find("pictures"))
     for (const auto& [role, hash] : pictures->members()) r.pictures[role] = hash.text();

@@ -10,6 +10,11 @@
 
 namespace report {
 
+std::string_view certificateVerdict(const Certificate& certificate) {
+  if (!certificate.unbiased) return "undecided";
+  return *certificate.unbiased ? "unbiased" : "biased";
+}
+
 std::string_view statusName(Status status) {
   static constexpr std::string_view kNames[] = {"ok", "skipped", "failed"};
   return kNames[size_t(status)];

@@ -100,7 +100,9 @@ struct Record {
   std::optional<VisibilityError> visibility;  ///< over all lights and layers
   std::vector<LayerError> visibilityLayers;
   std::vector<RegionError> visibilityRegions;
-  std::optional<ImageError> image;
+  std::optional<ImageError> image;            ///< of pictures times `exposure`
+  /// What pictures are multiplied by before they are shown, and compared as shown; one for a scene.
+  double exposure = 1;
   std::optional<NoiseRecord> noise;           ///< stochastic techniques only
   std::optional<Certificate> certificate;     ///< stochastic techniques only
   std::optional<Blame> blame;

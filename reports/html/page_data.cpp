@@ -40,11 +40,12 @@ Json figures(const ScenePart& part, const Record& r) {
   if (r.image) {
     add("Image RMSE", errorText(r.image->all.rmse, image));
     add("FLIP", figure(r.image->flip));
+    if (r.exposure != 1) add("Exposure", figure(r.exposure));
   }
   if (r.noise)
     add("Noise", figure(r.noise->noise) + " over " + std::to_string(r.noise->seeds) + " seeds");
   if (r.certificate)
-    add("Certificate", (r.certificate->unbiased ? "unbiased, " : "biased, ") +
+    add("Certificate", std::string(certificateVerdict(*r.certificate)) + ", " +
                            counted(r.certificate->regions.size(), "region", "regions") + " tested");
   add("Memory", mebibytes(r.bytes) + " MiB");
   if (visibility) add("On the front, visibility", frontText(*visibility));

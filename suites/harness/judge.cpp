@@ -6,6 +6,7 @@
 #include "suites/harness/verify.h"
 #include "suites/metrics/error.h"
 #include "suites/metrics/error_map.h"
+#include "suites/metrics/exposure.h"
 #include "suites/metrics/regions.h"
 #include "suites/truth/truth_cache.h"
 #include "techniques/common/registry.h"
@@ -70,6 +71,14 @@ const Truth* Judge::truth() {
   return &*m_truth;
 }
 
+float Judge::exposure(const report::Picture& picture) {
+  if (!m_exposure)
+    m_exposure = m_settings.exposure ? *m_settings.exposure
+                                     : automaticExposure(m_truth ? pictureOf(m_size, m_truth->image)
+                                                                 : picture);
+  return *m_exposure;
+}
+
 Values Judge::truthAt(uint32_t light, uint32_t layer) const {
   return m_truth->visibility[size_t(light) * kTruthLayers + layer];
 }
@@ -80,30 +89,24 @@ std::span<const uint8_t> Judge::edgesAt(uint32_t light, uint32_t layer) const {
 
 void Judge::judge(Subject& subject, const CellId& id, const report::Picture& picture,
                   report::Record& record, PictureFiles& files) {
-  if (!truth()) {
+  const bool known = truth() != nullptr;
+  const float factor = exposure(picture);
+  record.exposure = double(factor);
+  if (!known) {
     for (const char* key : {"visibility", "image", "noise", "certificate", "blame", "truth_stderr"})
       record.why[key] = m_why;
     return;
   }
-  const report::Picture reference = pictureOf(m_size, m_truth->image);
-  record.image = imageError(picture, reference, m_truth->imageEdges);
+  const report::Picture shown = exposed(picture, factor);
+  const report::Picture reference = exposed(pictureOf(m_size, m_truth->image), factor);
+  record.image = imageError(shown, reference, m_truth->imageEdges);
   record.truthStderr = m_truth->standardError;
-  addFile("image", picture, report::toSrgb8(picture), record, files);
-  addFile("truth", picture, report::toSrgb8(reference), record, files);
-  addFile("error", picture, errorMap(picture, reference), record, files);
+  addFile("image", shown, report::toSrgb8(shown), record, files);
+  addFile("truth", shown, report::toSrgb8(reference), record, files);
+  addFile("error", shown, errorMap(shown, reference), record, files);
 
   Renderer* renderer = subject.renderer();
-  if (!renderer) {
-    // The tracer asks the truth itself.
-    record.visibility = report::VisibilityError{};
-    for (const char* key : {"noise", "certificate"})
-      record.why[key] = transparencyTechnique(id.transparency).info.stochastic &&
-                                renderer->plan().planned.has(Effect::CameraTransparency)
-                            ? "visibility is not random, only the mix of translucent surfaces is"
-                            : "nothing random runs";
-    record.why["blame"] = "no error";
-    return;
-  }
+  if (!renderer) return judgeTracer(subject, record, files);
   // Other seeds are judged where the truth's camera stands; whole loops have ended there.
   renderer->standStill();
   std::vector<Answer> answers;
@@ -123,7 +126,17 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
   else
     moments = judgeSeeds(*renderer, id.seed, answers, record);
   judgeRegions(answers, moments, record);
-  blame(*renderer, answers, moments, record, files);
+  blame([&](uint32_t light) { return renderer->reach(light); }, answers, moments, record, files);
+}
+
+void Judge::judgeTracer(Subject& subject, report::Record& record, PictureFiles& files) {
+  for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+  std::vector<Answer> answers;
+  for (uint32_t light = 0; light < m_scene.lights.size(); ++light)
+    answers.push_back({light, light, subject.visibility(light)});
+  judgeVisibility(answers, record);
+  judgeRegions(answers, {}, record);
+  blame([](uint32_t) { return LookupReach{}; }, answers, {}, record, files);
 }
 
 void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
@@ -183,13 +196,14 @@ ValueRange Judge::truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32
   return range;
 }
 
-void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
+void Judge::blame(const std::function<LookupReach(uint32_t)>& reachOf,
+                  const std::vector<Answer>& answers,
                   const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
                   PictureFiles& files) {
   BlameSum sum(m_size.width, m_size.height);
   for (size_t i = 0; i < answers.size(); ++i) {
     const Answer& a = answers[i];
-    const LookupReach reach = renderer.reach(a.light);
+    const LookupReach reach = reachOf(a.light);
     const bool looksUp = reach.constant > 0 || reach.perDistance > 0;
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const std::vector<float> variance =
@@ -198,6 +212,7 @@ void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
                        .truth = truthAt(a.light, layer),
                        .mean = moments.empty() ? Values() : Values(moments[i][layer].mean()),
                        .variance = variance,
+                       .seeds = moments.empty() ? 1 : moments[i][layer].seeds(),
                        .surfaces = m_truth->surfaces[layer],
                        .truthAround = nullptr};
       if (looksUp)

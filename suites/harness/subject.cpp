@@ -76,6 +76,11 @@ class TracerSubject final : public Subject {
   double createMs() const override { return m_createMs; }
   bool hasPasses() const override { return false; }
   std::string passesUntrusted() const override { return "ray tracing has no passes"; }
+  std::vector<VisibilityImage> visibility(uint32_t light) override {
+    if (!m_answers) m_answers = m_tracer.trace({.width = m_id.width, .height = m_id.height});
+    const auto first = m_answers->visibility.begin() + ptrdiff_t(light) * kTruthLayers;
+    return {first, first + kTruthLayers};
+  }
   void describe(report::Record& record) const override {
     record.bytes = m_tracer.bytes();
     record.bytesByLabel["triangles and tree"] = record.bytes;
@@ -93,6 +98,7 @@ class TracerSubject final : public Subject {
   Tracer m_tracer;
   double m_createMs = 0;
   std::vector<float> m_image;
+  std::optional<Truth> m_answers;  ///< traced when asked for, outside what is timed
 };
 
 std::string cpuName() {

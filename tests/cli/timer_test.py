@@ -65,11 +65,11 @@ class Timers(Case):
             self.assertIsNone(record["device_ms"])
             self.assertIsNone(record["shadow_ms"])
             self.assertIn("no timestamps", record["shadow_ms_why"])
-        picture = self.path("a.png")
+        picture = self.path("a")
         result = run("render", "--scene", "layers", "--size", "64x64", "--backend", "vulkan", "-o",
                      picture, env=fake(bits=0))
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertTrue(os.path.exists(picture))
+        self.assertTrue(os.path.exists(picture + ".png"))
 
 
 if __name__ == "__main__":

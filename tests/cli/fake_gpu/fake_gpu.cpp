@@ -18,26 +18,25 @@
 
 namespace {
 
+/// What the layer calls below itself. Taken while the instance is made: later the loader hands out
+/// the top of the chain for the same names.
 struct Next {
   PFN_vkGetInstanceProcAddr instanceProc = nullptr;
   PFN_vkGetDeviceProcAddr deviceProc = nullptr;
-  VkInstance instance = VK_NULL_HANDLE;
+  PFN_vkGetPhysicalDeviceProperties properties = nullptr;
+  PFN_vkGetPhysicalDeviceProperties2 properties2 = nullptr;
+  PFN_vkGetPhysicalDeviceQueueFamilyProperties families = nullptr;
+  PFN_vkGetPhysicalDeviceQueueFamilyProperties2 families2 = nullptr;
+  PFN_vkCreateDevice createDevice = nullptr;
+  PFN_vkCreateQueryPool createPool = nullptr;
+  PFN_vkGetQueryPoolResults results = nullptr;
 } g_next;
 
 std::mutex g_mutex;
 std::set<VkQueryPool> g_stamps;
-uint64_t g_first = 0;    ///< of the driver's nanoseconds, subtracted so that doubles suffice
-uint64_t g_offset = 0;   ///< ticks that events have added
+uint64_t g_first = 0;   ///< of the driver's nanoseconds, subtracted so that doubles suffice
+uint64_t g_offset = 0;  ///< ticks that events have added
 int g_readings = 0;
-
-template <class F>
-F next(const char* name) {
-  return reinterpret_cast<F>(g_next.instanceProc(g_next.instance, name));
-}
-template <class F>
-F next(VkDevice device, const char* name) {
-  return reinterpret_cast<F>(g_next.deviceProc(device, name));
-}
 
 double number(const char* name, double fallback) {
   const char* text = std::getenv(name);
@@ -52,23 +51,21 @@ void pose(VkPhysicalDeviceProperties& p) {
 }
 
 VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* p) {
-  next<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(device, p);
+  g_next.properties(device, p);
   pose(*p);
 }
 VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* p) {
-  next<PFN_vkGetPhysicalDeviceProperties2>("vkGetPhysicalDeviceProperties2")(device, p);
+  g_next.properties2(device, p);
   pose(p->properties);
 }
 VKAPI_ATTR void VKAPI_CALL families(VkPhysicalDevice device, uint32_t* count,
                                     VkQueueFamilyProperties* out) {
-  next<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties")(
-      device, count, out);
+  g_next.families(device, count, out);
   for (uint32_t i = 0; out && i < *count; ++i) out[i].timestampValidBits = bits();
 }
 VKAPI_ATTR void VKAPI_CALL families2(VkPhysicalDevice device, uint32_t* count,
                                      VkQueueFamilyProperties2* out) {
-  next<PFN_vkGetPhysicalDeviceQueueFamilyProperties2>("vkGetPhysicalDeviceQueueFamilyProperties2")(
-      device, count, out);
+  g_next.families2(device, count, out);
   for (uint32_t i = 0; out && i < *count; ++i)
     out[i].queueFamilyProperties.timestampValidBits = bits();
 }
@@ -76,8 +73,7 @@ VKAPI_ATTR void VKAPI_CALL families2(VkPhysicalDevice device, uint32_t* count,
 VKAPI_ATTR VkResult VKAPI_CALL createPool(VkDevice device, const VkQueryPoolCreateInfo* info,
                                           const VkAllocationCallbacks* allocator,
                                           VkQueryPool* pool) {
-  const VkResult result = next<PFN_vkCreateQueryPool>(device, "vkCreateQueryPool")(
-      device, info, allocator, pool);
+  const VkResult result = g_next.createPool(device, info, allocator, pool);
   const std::lock_guard lock(g_mutex);
   if (result == VK_SUCCESS && info->queryType == VK_QUERY_TYPE_TIMESTAMP) g_stamps.insert(*pool);
   return result;
@@ -101,16 +97,14 @@ void disguise(std::vector<uint64_t*>& stamps) {
   const uint64_t middle = *stamps.front() + (*stamps.back() - *stamps.front()) / 2;
   if (stamps.size() > 1 && happens("wrap")) g_offset = mask() - middle;
   const bool reset = stamps.size() > 1 && happens("reset");
-  for (uint64_t* s : stamps)
-    *s = (reset && *s > middle ? *s - middle : *s + g_offset) & mask();
+  for (uint64_t* s : stamps) *s = (reset && *s > middle ? *s - middle : *s + g_offset) & mask();
   if (reset) g_offset = uint64_t(0) - middle;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL results(VkDevice device, VkQueryPool pool, uint32_t first,
-                                       uint32_t count, size_t size, void* data,
-                                       VkDeviceSize stride, VkQueryResultFlags flags) {
-  const VkResult result = next<PFN_vkGetQueryPoolResults>(device, "vkGetQueryPoolResults")(
-      device, pool, first, count, size, data, stride, flags);
+                                       uint32_t count, size_t size, void* data, VkDeviceSize stride,
+                                       VkQueryResultFlags flags) {
+  const VkResult result = g_next.results(device, pool, first, count, size, data, stride, flags);
   if (result != VK_SUCCESS || !g_stamps.contains(pool)) return result;
   std::vector<uint64_t*> stamps;
   for (uint32_t i = 0; i < count; ++i)
@@ -129,15 +123,23 @@ Info* linkOf(const void* chain, VkStructureType type) {
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator,
                                               VkInstance* instance) {
-  auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext,
-                                                 VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+  auto* link =
+      linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
   if (!link) return VK_ERROR_INITIALIZATION_FAILED;
   g_next.instanceProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
   link->u.pLayerInfo = link->u.pLayerInfo->pNext;
   const auto create = reinterpret_cast<PFN_vkCreateInstance>(
       g_next.instanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
   const VkResult result = create(info, allocator, instance);
-  if (result == VK_SUCCESS) g_next.instance = *instance;
+  if (result != VK_SUCCESS) return result;
+  const auto take = [&]<class F>(F& function, const char* name) {
+    function = reinterpret_cast<F>(g_next.instanceProc(*instance, name));
+  };
+  take(g_next.properties, "vkGetPhysicalDeviceProperties");
+  take(g_next.properties2, "vkGetPhysicalDeviceProperties2");
+  take(g_next.families, "vkGetPhysicalDeviceQueueFamilyProperties");
+  take(g_next.families2, "vkGetPhysicalDeviceQueueFamilyProperties2");
+  take(g_next.createDevice, "vkCreateDevice");
   return result;
 }
 
@@ -150,7 +152,13 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical,
   if (!link) return VK_ERROR_INITIALIZATION_FAILED;
   g_next.deviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
   link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-  return next<PFN_vkCreateDevice>("vkCreateDevice")(physical, info, allocator, device);
+  const VkResult result = g_next.createDevice(physical, info, allocator, device);
+  if (result != VK_SUCCESS) return result;
+  g_next.createPool =
+      reinterpret_cast<PFN_vkCreateQueryPool>(g_next.deviceProc(*device, "vkCreateQueryPool"));
+  g_next.results = reinterpret_cast<PFN_vkGetQueryPoolResults>(
+      g_next.deviceProc(*device, "vkGetQueryPoolResults"));
+  return result;
 }
 
 }  // namespace
