@@ -111,6 +111,9 @@ void addRegion(std::vector<Column>& columns, const std::string& region) {
 }
 
 void addErrors(std::vector<Column>& c) {
+  c.push_back({"visibility_weighted_rmse", [](const Record& r) {
+                 return r.visibility ? optionalNumber(r.visibility->weighted) : std::string();
+               }});
   addError(c, "visibility", [](const Record& r) { return r.visibility ? &r.visibility->all : nullptr; });
   addError(c, "visibility_interior",
            [](const Record& r) { return r.visibility ? &r.visibility->interior : nullptr; });

@@ -28,6 +28,9 @@ struct ErrorStats {
 
 struct VisibilityError {
   ErrorStats all, interior;
+  /// RMSE with each pixel weighed by its share of the radiance that the lights would send to the eye
+  /// without shadows; absent where they send none.
+  std::optional<double> weighted, weightedInterior;
 };
 
 /// Visibility error of one light at one layer of surfaces.

@@ -10,8 +10,11 @@ Json toJson(const ErrorStats& e) {
 }
 
 Json toJson(const VisibilityError& e) {
+  const auto orNull = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
   Json out = toJson(e.all);
+  out["weighted_rmse"] = orNull(e.weighted);
   out["interior"] = toJson(e.interior);
+  out["interior"]["weighted_rmse"] = orNull(e.weightedInterior);
   return out;
 }
 

@@ -21,7 +21,11 @@ ErrorStats readStats(const Field& f) {
 }
 
 VisibilityError readVisibility(const Field& f) {
-  return {readStats(f), readStats(f.at("interior"))};
+  const Field interior = f.at("interior");
+  VisibilityError out{readStats(f), readStats(interior), {}, {}};
+  if (auto w = f.find("weighted_rmse")) out.weighted = w->number();
+  if (auto w = interior.find("weighted_rmse")) out.weightedInterior = w->number();
+  return out;
 }
 
 ImageError readImage(const Field& f) {

@@ -35,6 +35,8 @@ Json figures(const ScenePart& part, const Record& r) {
     if (x.kind == "baseline") add("× none", withInterval(x.value, x.low, x.high));
   if (r.visibility) {
     add("Visibility RMSE", errorText(r.visibility->all.rmse, visibility));
+    if (r.visibility->weighted)
+      add("Visibility RMSE, weighed by light", figure(*r.visibility->weighted));
     add("Visibility bias", figure(r.visibility->all.bias));
   }
   if (r.image) {

@@ -51,6 +51,8 @@ TradePoint pointOf(const Record& r, ErrorKind kind) {
   for (const Block& b : r.blocks) means.push_back(comparesCpu(r) ? b.cpuMs : b.frameMs);
   if (!means.empty()) p.timeInterval = holding(p.time, medianInterval(means));
   p.error = *errorOf(r, kind);
+  p.weighted = p.error;
+  if (kind == ErrorKind::Visibility) p.weighted = r.visibility->weighted.value_or(p.error);
   p.errorInterval = {p.error, p.error};
   if (kind == ErrorKind::Visibility && r.noise)
     p.errorInterval = holding(p.error, {r.noise->rmseLow, r.noise->rmseHigh});
@@ -119,13 +121,17 @@ void addPoints(TradeOff& t, const Run& run) {
 bool mayDominate(const TradePoint& a, const TradePoint& b) {
   const double time = b.timeInterval.high - a.timeInterval.low;
   const double error = b.errorInterval.high - a.errorInterval.low;
-  return time >= 0 && error >= 0 && (time > 0 || error > 0);
+  // How the weighted error scatters is not known: it moves as the plain one does.
+  const double scatter = (b.errorInterval.high - b.error) + (a.error - a.errorInterval.low);
+  const double weighted = b.weighted - a.weighted + scatter;
+  return time >= 0 && error >= 0 && weighted >= 0 && (time > 0 || error > 0 || weighted > 0);
 }
 
 }  // namespace
 
 bool dominates(const TradePoint& a, const TradePoint& b) {
-  return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+  return a.time <= b.time && a.error <= b.error && a.weighted <= b.weighted &&
+         (a.time < b.time || a.error < b.error || a.weighted < b.weighted);
 }
 
 void markFront(std::vector<TradePoint>& points) {

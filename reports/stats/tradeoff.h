@@ -25,9 +25,11 @@ struct TradePoint {
   /// group's baseline where the record has none. Absent: there is no baseline.
   std::optional<double> timesBaseline;
   double error = 0;        ///< RMSE
+  double weighted = 0;     ///< of visibility, weighed by reflected light; `error` where there is none
   Interval errorInterval;  ///< over seeds; a point for what is not stochastic
   uint64_t bytes = 0;
-  bool front = false;  ///< no other point is as fast and as exact, and better in one
+  /// No other point is as fast and as exact by both errors, and better in one.
+  bool front = false;
   /// On the front, but there are values within the intervals of this point and of one other at
   /// which that other is as fast and as exact at once, and better in one. So a neighbour that is
   /// certainly slower or certainly less exact leaves a point certain.

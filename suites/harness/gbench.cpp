@@ -108,6 +108,7 @@ void replay(benchmark::State& state, const report::Record& record, size_t& next)
   count("shadow_ms", record.shadowMs);
   count("scene_ms", record.sceneMs);
   if (record.visibility) state.counters["visibility_rmse"] = record.visibility->all.rmse;
+  if (record.visibility) count("visibility_weighted_rmse", record.visibility->weighted);
   if (record.image) state.counters["image_rmse"] = record.image->all.rmse;
   if (record.image) state.counters["flip"] = record.image->flip;
   state.counters["passes"] = double(record.passCount);

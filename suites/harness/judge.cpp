@@ -8,6 +8,7 @@
 #include "suites/metrics/error_map.h"
 #include "suites/metrics/exposure.h"
 #include "suites/metrics/regions.h"
+#include "suites/metrics/weighted.h"
 #include "suites/truth/truth_cache.h"
 #include "techniques/common/registry.h"
 
@@ -141,6 +142,7 @@ void Judge::judgeTracer(Subject& subject, report::Record& record, PictureFiles& 
 
 void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
   ErrorSum all, interior;
+  WeightedSum weighted, weightedInterior;
   for (const Answer& a : answers)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const Values measured = a.layers[layer], expected = truthAt(a.light, layer);
@@ -153,10 +155,14 @@ void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& 
       if (error.error.all.pixels == 0) continue;
       all.add(measured, expected);
       interior.add(measured, expected, edges);
+      const auto& reflected = m_truth->reflected[size_t(a.light) * kTruthLayers + layer];
+      weighted.add(measured, expected, reflected);
+      weightedInterior.add(measured, expected, reflected, edges);
       record.visibilityLayers.push_back(std::move(error));
     }
   if (all.stats().pixels > 0)
-    record.visibility = report::VisibilityError{all.stats(), interior.stats()};
+    record.visibility = report::VisibilityError{all.stats(), interior.stats(), weighted.rmse(),
+                                                weightedInterior.rmse()};
   else
     record.why["visibility"] = "no lit surface is in the picture";
 }

@@ -77,6 +77,19 @@ GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
   EXPECT_GT(r.visibility->all.bias, 0);
 }
 
+GPU_TEST(JudgeCells, WhatALightGrazesHardlyCountsByLight) {
+  // A cube whose front the light grazes: that face alone is wrong without shadows of its own.
+  Scene scene = floorScene();
+  scene.lights[0] = sun({0.02, -1, -0.001});
+  addBox(scene, 0, {-2, 0, -2}, {2, 2, 2});
+  addHorizontal(scene, 0, {0, 2.5f, 2.6f}, 2.2f, 0.55f);  // over the front's foot alone
+  scene.cameras[0] = lookAt({0, 1, 9}, {0, 1, 0}, 0.3, 40);
+  const report::Record r = judged(cellDevice(device()), scene, small("none"));
+  ASSERT_TRUE(r.visibility && r.visibility->weighted);
+  EXPECT_GT(r.visibility->all.rmse, 0.1);
+  EXPECT_LT(*r.visibility->weighted, r.visibility->all.rmse);
+}
+
 GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
   const Material pane = glass(0.8f, {0.9f, 0.3f, 0.3f});
   Scene scene = floorScene();
