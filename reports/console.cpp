@@ -12,12 +12,12 @@
 namespace report {
 namespace {
 
-constexpr size_t kColumns = 14;
+constexpr size_t kColumns = 16;
 using Row = std::array<std::string, kColumns>;
 
-const Row kHeader = {"cell",        "frame ms",     "CPU ms", "±",      "x none [95 %]",
-                     "x other API", "error",        "noise",  "FLIP",   "shadow ms",
-                     "scene ms",    "passes/draws", "MiB",    "picture"};
+const Row kHeader = {"cell",        "frame ms", "CPU ms",   "±",     "x none [95 %]", "x other API",
+                     "error",       "by light", "noise",    "image", "FLIP",          "shadow ms",
+                     "scene ms",    "passes/draws", "MiB",  "picture"};
 
 /// Drivers' texts have line breaks.
 std::string oneLine(std::string text) {
@@ -63,12 +63,15 @@ Row rowOf(const Record& r, CellNames& names) {
   row[4] = ratio(r, "baseline");
   row[5] = ratio(r, "backend");
   if (r.visibility) row[6] = fmt::format("{:.4f}", r.visibility->all.rmse);
-  if (r.noise) row[7] = fmt::format("{:.4f}", r.noise->noise);
-  if (r.image) row[8] = fmt::format("{:.4f}", r.image->flip);
-  row[9] = milliseconds(r.shadowMs);
-  row[10] = milliseconds(r.sceneMs);
-  row[11] = fmt::format("{}/{}", r.passCount, r.drawCount);
-  row[12] = fmt::format("{:.1f}", double(r.bytes) / (1 << 20));
+  if (r.visibility && r.visibility->weighted)
+    row[7] = fmt::format("{:.4f}", *r.visibility->weighted);
+  if (r.noise) row[8] = fmt::format("{:.4f}", r.noise->noise);
+  if (r.image) row[9] = fmt::format("{:.4f}", r.image->all.rmse);
+  if (r.image) row[10] = fmt::format("{:.4f}", r.image->flip);
+  row[11] = milliseconds(r.shadowMs);
+  row[12] = milliseconds(r.sceneMs);
+  row[13] = fmt::format("{}/{}", r.passCount, r.drawCount);
+  row[14] = fmt::format("{:.1f}", double(r.bytes) / (1 << 20));
   return row;
 }
 
@@ -112,8 +115,9 @@ std::string legend(const Run& run) {
         "ratios are of CPU time. These figures say nothing about graphics hardware.\n";
   if (std::ranges::any_of(run.records, [](const Record& r) { return r.visibility.has_value(); }))
     out +=
-        "Against the ray-traced truth: error = RMSE of visibility, noise = its standard deviation "
-        "over seeds, FLIP = mean over the picture.\n";
+        "Against the ray-traced truth: error = RMSE of visibility; by light = the same, each pixel "
+        "weighed by the light that it would reflect unshadowed; noise = its standard deviation over "
+        "seeds; image = RMSE of the picture, FLIP = its mean.\n";
   if (sources.contains("gpu-timestamp"))
     out += "Frame times are GPU timestamps; ± and the ratios are of them.\n";
   if (sources.contains("wall"))

@@ -77,6 +77,8 @@ void addDistribution(std::vector<Column>& columns, const std::string& name,
   add("q3", [](const Distribution& d) { return d.q3; });
   add("cv", [](const Distribution& d) { return d.cv; });
   add("n", [](const Distribution& d) { return d.n; });
+  add("p95", [](const Distribution& d) { return d.p95; });
+  add("p99", [](const Distribution& d) { return d.p99; });
 }
 
 void addError(std::vector<Column>& columns, const std::string& name,
@@ -109,6 +111,9 @@ void addRegion(std::vector<Column>& columns, const std::string& region) {
 }
 
 void addErrors(std::vector<Column>& c) {
+  c.push_back({"visibility_weighted_rmse", [](const Record& r) {
+                 return r.visibility ? optionalNumber(r.visibility->weighted) : std::string();
+               }});
   addError(c, "visibility", [](const Record& r) { return r.visibility ? &r.visibility->all : nullptr; });
   addError(c, "visibility_interior",
            [](const Record& r) { return r.visibility ? &r.visibility->interior : nullptr; });
@@ -124,13 +129,20 @@ void addErrors(std::vector<Column>& c) {
   addError(c, "image_interior",
            [](const Record& r) { return r.image ? &r.image->interior : nullptr; });
   auto add = [&](const char* name, auto value) { c.push_back({name, value}); };
+  add("exposure", [](const Record& r) { return number(r.exposure); });
   add("image_relmse", [](const Record& r) { return r.image ? number(r.image->relmse) : ""; });
   add("image_flip", [](const Record& r) { return r.image ? number(r.image->flip) : ""; });
   add("noise", [](const Record& r) { return r.noise ? number(r.noise->noise) : ""; });
   add("noise_bias_rmse", [](const Record& r) { return r.noise ? number(r.noise->biasRmse) : ""; });
   add("noise_seeds", [](const Record& r) { return r.noise ? std::to_string(r.noise->seeds) : ""; });
-  add("unbiased", [](const Record& r) {
-    return std::string(!r.certificate ? "" : r.certificate->unbiased ? "true" : "false");
+  add("noise_bias", [](const Record& r) { return r.noise ? number(r.noise->bias) : ""; });
+  add("noise_bias_low", [](const Record& r) { return r.noise ? number(r.noise->biasLow) : ""; });
+  add("noise_bias_high", [](const Record& r) { return r.noise ? number(r.noise->biasHigh) : ""; });
+  add("certificate", [](const Record& r) {
+    return std::string(r.certificate ? certificateVerdict(*r.certificate) : "");
+  });
+  add("certificate_why", [](const Record& r) {
+    return r.certificate ? r.certificate->why : std::string();
   });
   add("blame", [](const Record& r) {
     std::vector<std::string> parts;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct VisibilityError {
   /// Pixels that show a surface in one of the two pictures alone: they have no error, so they are
   /// counted. `interior`: away from the truth's discontinuities, where there should be none.
   uint64_t oneSided = 0, oneSidedInterior = 0;
+  /// RMSE with each pixel weighed by its share of the radiance that the lights would send to the eye
+  /// without shadows; absent where they send none.
+  std::optional<double> weighted, weightedInterior;
 };
 
 /// Visibility error of one light at one layer of surfaces.
@@ -61,14 +65,17 @@ struct ImageError {
 /// A stochastic technique over seeds: how wrong its mean is, and how far one seed strays from it.
 struct NoiseRecord {
   uint32_t seeds = 0;
-  double noise = 0;     ///< root mean over values of the variance over seeds
-  double biasRmse = 0;  ///< RMSE of the mean over seeds
+  double noise = 0;  ///< root mean over values of the variance over seeds
+  /// RMSE of the expectation: of the mean over seeds, less the variance that this mean still has.
+  double biasRmse = 0;
   double bias = 0;      ///< mean signed error of the mean over seeds
+  double biasLow = 0;   ///< its 95 % interval, from how the seeds' mean errors scatter
+  double biasHigh = 0;
   double rmseLow = 0;   ///< 95 % interval of the median RMSE of one seed
   double rmseHigh = 0;
 };
 
-/// A region of receivers with one known expectation, and the exact binomial test on it.
+/// A region of receivers with one known expectation, and the test on it.
 struct RegionTest {
   uint32_t light = 0;
   uint32_t layer = 0;
@@ -76,17 +83,29 @@ struct RegionTest {
   uint32_t x = 0, y = 0;  ///< a pixel of the region, row 0 at the bottom
   uint64_t pixels = 0;    ///< of the region
   double q = 0;           ///< expectation: the truth's visibility
-  uint64_t trials = 0;
-  uint64_t passes = 0;
+  uint64_t trials = 0;    ///< yes-or-no draws, or seeds where means are tested
+  uint64_t passes = 0;    ///< of the trials; 0 where means are tested
+  double mean = 0;        ///< what was found: the share that passed, or the mean over seeds
+  double error = 0;       ///< standard error of `mean`: of the expectation, or as seeds scatter
   double pValue = 1;      ///< two-sided
 };
 
-/// Is the technique unbiased? True iff no region's p-value is below familyWiseError / regions.
+/// Is the technique unbiased? No, if a region's p-value is below familyWiseError / regions. Yes, if
+/// none is and a region was informative: its expectation lies between 0 and 1, and a bias of
+/// `detectable` would have been found with a probability of 0.99. Otherwise it is undecided.
 struct Certificate {
-  bool unbiased = false;
+  std::optional<bool> unbiased;  ///< absent: undecided
+  std::string why;               ///< it is undecided, or ""
+  /// "binomial": exact, of lookups that average equal trials; "mean": Student's t of the regions'
+  /// means over seeds, of all others.
+  std::string test = "binomial";
   double familyWiseError = 1e-6;
+  double detectable = 0.01;
+  uint32_t informative = 0;         ///< regions
   std::vector<RegionTest> regions;  ///< all that were tested, none excused
 };
+/// "unbiased", "biased" or "undecided".
+std::string_view certificateVerdict(const Certificate& certificate);
 
 /// The cell's total squared visibility error split by cause; shares sum to 1, or are empty when
 /// there is no error. Causes in order: "noise", "resolution", "inner-layer", "self-shadowing",

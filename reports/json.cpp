@@ -26,7 +26,9 @@ void put(Json& out, const Record& r, const std::string& key,
               {"q1", value->q1},
               {"q3", value->q3},
               {"cv", value->cv},
-              {"n", value->n}};
+              {"n", value->n},
+              {"p95", value->p95},
+              {"p99", value->p99}};
 }
 
 void putIdentity(Json& out, const Record& r) {
@@ -62,6 +64,7 @@ void putTimes(Json& out, const Record& r) {
   put(out, r, "device_ms", r.device_);
   put(out, r, "submit_ms", r.submitMs);
   put(out, r, "compile_ms", r.compileMs);
+  out["dropped_frames"] = r.droppedFrames;
   out["stopped_by"] = r.stoppedBy;
   put(out, r, "precision", r.precision);
   out["passes"] = Json::array();
@@ -104,6 +107,7 @@ void putResults(Json& out, const Record& r) {
   put(out, r, "cross_backend_max_255", r.crossBackendMax255);
   put(out, r, "cross_backend_over_1_255", r.crossBackendOver1);
   out["picture"] = r.picture;
+  out["exposure"] = r.exposure;
   putErrors(out, r);
   out["pictures"] = r.pictures;
 }
@@ -115,6 +119,9 @@ void putOutcome(Json& out, const Record& r) {
   out["contamination"] = r.contamination;
   out["command"] = r.command;
 }
+
+/// Google Benchmark's keys are in microseconds: its compare.py shows no digits after the point.
+constexpr double kMicroseconds = 1e3;
 
 /// Google Benchmark's median: over repetitions, not over frames.
 double medianOf(const std::vector<Block>& blocks, double Block::*member) {
@@ -151,9 +158,9 @@ void appendCell(Json& list, const Record& r) {
     Json entry = googleKeys(r, "", "iteration");
     entry["repetition_index"] = i;
     entry["iterations"] = r.blocks[i].frames;
-    entry["real_time"] = r.blocks[i].frameMs;
-    entry["cpu_time"] = r.blocks[i].cpuMs;
-    entry["time_unit"] = "ms";
+    entry["real_time"] = r.blocks[i].frameMs * kMicroseconds;
+    entry["cpu_time"] = r.blocks[i].cpuMs * kMicroseconds;
+    entry["time_unit"] = "us";
     frames += r.blocks[i].frames;
     list.push_back(std::move(entry));
   }
@@ -161,9 +168,9 @@ void appendCell(Json& list, const Record& r) {
   entry["aggregate_name"] = "median";
   entry["aggregate_unit"] = "time";
   entry["iterations"] = frames;
-  entry["real_time"] = medianOf(r.blocks, &Block::frameMs);
-  entry["cpu_time"] = medianOf(r.blocks, &Block::cpuMs);
-  entry["time_unit"] = "ms";
+  entry["real_time"] = medianOf(r.blocks, &Block::frameMs) * kMicroseconds;
+  entry["cpu_time"] = medianOf(r.blocks, &Block::cpuMs) * kMicroseconds;
+  entry["time_unit"] = "us";
   putIdentity(entry, r);
   putPlan(entry, r);
   putTimes(entry, r);
@@ -175,15 +182,22 @@ void appendCell(Json& list, const Record& r) {
 }  // namespace
 
 std::string toJson(const Run& run) {
+  Json caches = Json::array();
+  for (const Cache& c : run.caches)
+    caches.push_back(
+        {{"type", c.type}, {"level", c.level}, {"size", c.bytes}, {"num_sharing", c.sharing}});
   Json context = {{"date", run.date},
                   {"host_name", run.host},
                   {"executable", run.executable},
                   {"num_cpus", run.cpus},
                   {"mhz_per_cpu", std::lround(run.cpuMHz)},
                   {"cpu_scaling_enabled", run.cpuScaling},
-                  {"caches", Json::array()},
+                  {"caches", std::move(caches)},
                   {"load_avg", run.loadAverage},
+                  {"library_version", run.libraryVersion},
                   {"library_build_type", run.buildType},
+                  {"json_schema_version", 1},
+                  {"command_line", run.commandLine},
                   {"shadowbench_version", run.version},
                   {"warnings", run.warnings}};
   Json benchmarks = Json::array();

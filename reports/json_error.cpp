@@ -10,9 +10,12 @@ Json toJson(const ErrorStats& e) {
 }
 
 Json toJson(const VisibilityError& e) {
+  const auto orNull = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
   Json out = toJson(e.all);
+  out["weighted_rmse"] = orNull(e.weighted);
   out["one_sided"] = e.oneSided;
   out["interior"] = toJson(e.interior);
+  out["interior"]["weighted_rmse"] = orNull(e.weightedInterior);
   out["interior"]["one_sided"] = e.oneSidedInterior;
   return out;
 }
@@ -28,14 +31,19 @@ Json toJson(const ImageError& e) {
 }
 
 Json toJson(const NoiseRecord& n) {
-  return {{"seeds", n.seeds}, {"noise", n.noise},        {"bias_rmse", n.biasRmse},
-          {"bias", n.bias},   {"rmse_low", n.rmseLow}, {"rmse_high", n.rmseHigh}};
+  return {{"seeds", n.seeds},       {"noise", n.noise},        {"bias_rmse", n.biasRmse},
+          {"bias", n.bias},         {"bias_low", n.biasLow},   {"bias_high", n.biasHigh},
+          {"rmse_low", n.rmseLow}, {"rmse_high", n.rmseHigh}};
 }
 
 Json toJson(const Certificate& c) {
-  Json out = {{"unbiased", c.unbiased},
+  Json out = {{"unbiased", c.unbiased ? Json(*c.unbiased) : Json(nullptr)},
+              {"test", c.test},
               {"family_wise_error", c.familyWiseError},
+              {"detectable", c.detectable},
+              {"informative", c.informative},
               {"regions", Json::array()}};
+  if (!c.unbiased) out["unbiased_why"] = c.why;
   for (const RegionTest& t : c.regions)
     out["regions"].push_back({{"light", t.light},
                               {"layer", t.layer},
@@ -46,6 +54,8 @@ Json toJson(const Certificate& c) {
                               {"q", t.q},
                               {"trials", t.trials},
                               {"passes", t.passes},
+                              {"mean", t.mean},
+                              {"error", t.error},
                               {"p_value", t.pValue}});
   return out;
 }

@@ -42,7 +42,9 @@ std::optional<Distribution> distributionOf(const Field& entry, const std::string
                       .q1 = f->at("q1").number(),
                       .q3 = f->at("q3").number(),
                       .cv = f->at("cv").number(),
-                      .n = f->at("n").integer<uint32_t>()};
+                      .n = f->at("n").integer<uint32_t>(),
+                      .p95 = numberOf(*f, "p95").value_or(0),
+                      .p99 = numberOf(*f, "p99").value_or(0)};
 }
 
 Status readStatus(const Field& field) {
@@ -109,6 +111,7 @@ void readTimes(const Field& e, Record& r) {
   r.device_ = distributionOf(e, "device_ms");
   r.submitMs = numberOf(e, "submit_ms");
   r.compileMs = numberOf(e, "compile_ms");
+  r.droppedFrames = countOf(e, "dropped_frames");
   r.stoppedBy = textOf(e, "stopped_by");
   r.precision = numberOf(e, "precision");
   if (auto passes = e.find("passes"))
@@ -134,6 +137,7 @@ void readResults(const Field& e, Record& r) {
   if (auto f = e.find("cross_backend_max_255")) r.crossBackendMax255 = f->signedInteger();
   if (auto f = e.find("cross_backend_over_1_255")) r.crossBackendOver1 = f->integer<uint64_t>();
   r.picture = textOf(e, "picture");
+  r.exposure = numberOf(e, "exposure").value_or(1);
   readErrors(e, r);
   if (auto pictures = e.find("pictures"))
     for (const auto& [role, hash] : pictures->members()) r.pictures[role] = hash.text();
@@ -149,10 +153,20 @@ void readOutcome(const Field& e, Record& r) {
     if (key.ends_with("_why")) r.why[key.substr(0, key.size() - 4)] = value.text();
 }
 
+/// Milliseconds that one of Google Benchmark's units has.
+double millisecondsOf(const Field& unit) {
+  static const std::map<std::string, double> kUnits = {
+      {"ns", 1e-6}, {"us", 1e-3}, {"ms", 1}, {"s", 1e3}};
+  const auto known = kUnits.find(unit.text());
+  if (known == kUnits.end()) unit.refuse("\"ns\", \"us\", \"ms\" or \"s\"");
+  return known->second;
+}
+
 Block readBlock(const Field& e) {
+  const double unit = millisecondsOf(e.at("time_unit"));
   return {.frames = e.at("iterations").integer<uint32_t>(),
-          .frameMs = e.at("real_time").number(),
-          .cpuMs = e.at("cpu_time").number()};
+          .frameMs = e.at("real_time").number() * unit,
+          .cpuMs = e.at("cpu_time").number() * unit};
 }
 
 /// One record for each aggregate entry; the repetitions of its name before it are its blocks.
@@ -185,10 +199,18 @@ Run readContext(const Field& c) {
           .executable = textOf(c, "executable"),
           .version = c.at("shadowbench_version").text(),
           .buildType = textOf(c, "library_build_type"),
+          .libraryVersion = textOf(c, "library_version"),
+          .commandLine = textOf(c, "command_line"),
           .warnings = textsOf(c, "warnings")};
   if (auto f = c.find("num_cpus")) run.cpus = f->integer<uint32_t>();
   run.cpuMHz = numberOf(c, "mhz_per_cpu").value_or(0);
   if (auto f = c.find("cpu_scaling_enabled")) run.cpuScaling = f->boolean();
+  if (auto f = c.find("caches"))
+    for (const Field& cache : f->items())
+      run.caches.push_back({.type = cache.at("type").text(),
+                            .level = cache.at("level").signedInteger(),
+                            .bytes = cache.at("size").integer<uint64_t>(),
+                            .sharing = cache.at("num_sharing").integer<uint32_t>()});
   if (auto f = c.find("load_avg"))
     for (const Field& load : f->items()) run.loadAverage.push_back(load.number());
   return run;

@@ -26,6 +26,8 @@ VisibilityError readVisibility(const Field& f) {
   // Earlier files did not count them.
   if (const auto count = f.find("one_sided")) e.oneSided = count->integer<uint64_t>();
   if (const auto count = interior.find("one_sided")) e.oneSidedInterior = count->integer<uint64_t>();
+  if (const auto w = f.find("weighted_rmse")) e.weighted = w->number();
+  if (const auto w = interior.find("weighted_rmse")) e.weightedInterior = w->number();
   return e;
 }
 
@@ -44,6 +46,8 @@ NoiseRecord readNoise(const Field& f) {
           .noise = f.at("noise").number(),
           .biasRmse = f.at("bias_rmse").number(),
           .bias = f.at("bias").number(),
+          .biasLow = f.at("bias_low").number(),
+          .biasHigh = f.at("bias_high").number(),
           .rmseLow = f.at("rmse_low").number(),
           .rmseHigh = f.at("rmse_high").number()};
 }
@@ -58,13 +62,21 @@ RegionTest readRegion(const Field& f) {
           .q = f.at("q").number(),
           .trials = f.at("trials").integer<uint64_t>(),
           .passes = f.at("passes").integer<uint64_t>(),
+          .mean = f.at("mean").number(),
+          .error = f.at("error").number(),
           .pValue = f.at("p_value").number()};
 }
 
 Certificate readCertificate(const Field& f) {
-  Certificate out{.unbiased = f.at("unbiased").boolean(),
+  Certificate out{.unbiased = {},
+                  .why = "",
+                  .test = f.at("test").text(),
                   .familyWiseError = f.at("family_wise_error").number(),
+                  .detectable = f.at("detectable").number(),
+                  .informative = f.at("informative").integer<uint32_t>(),
                   .regions = {}};
+  if (auto unbiased = f.find("unbiased")) out.unbiased = unbiased->boolean();
+  if (auto why = f.find("unbiased_why")) out.why = why->text();
   for (const Field& region : f.at("regions").items()) out.regions.push_back(readRegion(region));
   return out;
 }

@@ -10,6 +10,11 @@
 
 namespace report {
 
+std::string_view certificateVerdict(const Certificate& certificate) {
+  if (!certificate.unbiased) return "undecided";
+  return *certificate.unbiased ? "unbiased" : "biased";
+}
+
 std::string_view statusName(Status status) {
   static constexpr std::string_view kNames[] = {"ok", "skipped", "failed"};
   return kNames[size_t(status)];
@@ -28,6 +33,24 @@ void refuse(Record& record, const std::string& reason) {
   record.blocks.clear();
 }
 
+namespace {
+
+/// Of this process, in words that a shell reads again.
+std::string commandLine() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string line;
+  for (std::string word; std::getline(file, word, '\0');) {
+    const bool plain = !word.empty() && word.find_first_not_of(
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=+.,/:@%") == word.npos;
+    std::string quoted;
+    for (char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += (line.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
+  }
+  return line;
+}
+
+}  // namespace
+
 Run describeMachine(const std::string& executable, const std::string& version) {
   Run run;
   char text[256] = "";
@@ -38,6 +61,7 @@ Run describeMachine(const std::string& executable, const std::string& version) {
   run.date = text;
   if (gethostname(text, sizeof text) == 0) run.host = text;
   run.executable = executable;
+  run.commandLine = commandLine();
   run.version = version;
 #ifdef NDEBUG
   run.buildType = "release";

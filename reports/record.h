@@ -16,13 +16,16 @@
 
 namespace report {
 
-/// Spread of a sampled quantity.
+/// Spread of a sampled quantity. Of times: the median is that of the blocks' means, from which
+/// intervals, ratios and fronts come as well; all else is over single frames.
 struct Distribution {
   double median = 0;
   double q1 = 0;
   double q3 = 0;
   double cv = 0;  ///< standard deviation / mean
   uint32_t n = 0;
+  double p95 = 0;  ///< 95th percentile
+  double p99 = 0;
 };
 
 /// Passes of one label in a frame, summed.
@@ -70,7 +73,7 @@ struct Record {
   std::vector<std::pair<std::string, std::string>> effectsSkipped;  ///< effect, why
   std::vector<std::string> effectsUnrepresented;
   // time
-  std::string timeSource;  ///< "gpu-timestamp" or "software"
+  std::string timeSource;  ///< "gpu-timestamp", "software", or "wall" on a GPU without timestamps
   std::optional<Distribution> frame, wall, cpu, record, device_;
   std::optional<double> submitMs;
   std::optional<double> compileMs;
@@ -78,6 +81,7 @@ struct Record {
   std::optional<double> shadowMs, sceneMs, combinedMs, stampedFrameMs;
   std::vector<Ratio> ratios;
   std::vector<Block> blocks;
+  uint64_t droppedFrames = 0;       ///< whose time stamps could not be true, and which count nowhere
   std::string stoppedBy;            ///< "precision", "budget" or "repetitions"
   std::optional<double> precision;  ///< half width of the median's 95 % interval / the median
   // counts
@@ -96,7 +100,9 @@ struct Record {
   std::optional<VisibilityError> visibility;  ///< over all lights and layers
   std::vector<LayerError> visibilityLayers;
   std::vector<RegionError> visibilityRegions;
-  std::optional<ImageError> image;
+  std::optional<ImageError> image;            ///< of pictures times `exposure`
+  /// What pictures are multiplied by before they are shown, and compared as shown; one for a scene.
+  double exposure = 1;
   std::optional<NoiseRecord> noise;           ///< stochastic techniques only
   std::optional<Certificate> certificate;     ///< stochastic techniques only
   std::optional<Blame> blame;
@@ -118,6 +124,14 @@ std::string_view statusName(Status status);
 /// Makes a failed record of one whose result cannot be believed: its times and ratios go.
 void refuse(Record& record, const std::string& reason);
 
+/// A cache of the CPU, in the words of Google Benchmark's context.
+struct Cache {
+  std::string type;  ///< "Data", "Instruction" or "Unified"
+  int level = 0;
+  uint64_t bytes = 0;
+  uint32_t sharing = 0;  ///< CPUs that share it
+};
+
 /// A whole run: where and with what it was made, and its cells.
 struct Run {
   std::string date;  ///< ISO 8601
@@ -128,6 +142,9 @@ struct Run {
   uint32_t cpus = 0;
   double cpuMHz = 0;
   bool cpuScaling = false;  ///< the governor may change the clock
+  std::vector<Cache> caches;
+  std::string libraryVersion;  ///< of Google Benchmark
+  std::string commandLine;     ///< that made the run
   std::vector<double> loadAverage;
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;

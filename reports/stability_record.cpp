@@ -5,8 +5,11 @@
 namespace report {
 namespace {
 
-/// Not a number exceeds everything.
-bool exceeds(const StabilityPoint& p) { return !(p.value <= p.tolerance); }
+/// A tolerance that everything meets is none: as from four sigma of no draws.
+bool isTolerance(double tolerance) { return std::isfinite(tolerance) && tolerance >= 0; }
+
+/// Not a number exceeds everything: it is what was found where nothing was compared.
+bool exceeds(const StabilityPoint& p) { return !(p.value <= p.tolerance) || !isTolerance(p.tolerance); }
 
 }  // namespace
 
@@ -27,7 +30,7 @@ std::string_view verdictName(Verdict verdict) {
 const StabilityPoint* StabilityRecord::worst() const {
   const StabilityPoint* worst = nullptr;
   const auto excess = [](const StabilityPoint& p) {
-    return std::isnan(p.value) ? INFINITY : p.value - p.tolerance;
+    return std::isnan(p.value) || !isTolerance(p.tolerance) ? INFINITY : p.value - p.tolerance;
   };
   for (const StabilityPoint& p : curve)
     if (!worst || excess(p) > excess(*worst)) worst = &p;
@@ -36,6 +39,11 @@ const StabilityPoint* StabilityRecord::worst() const {
 
 void judge(StabilityRecord& record, const std::string& expected) {
   record.breaksAt.reset();
+  std::string defect;  // of the case itself, which no error by construction excuses
+  for (const StabilityPoint& p : record.curve) {
+    if (std::isnan(p.value)) defect = "nothing was compared, or the result is not a number";
+    if (!isTolerance(p.tolerance)) defect = "the tolerance is not finite: nothing could exceed it";
+  }
   for (const StabilityPoint& p : record.curve)
     if (exceeds(p)) {
       record.breaksAt = p.x;
@@ -47,6 +55,10 @@ void judge(StabilityRecord& record, const std::string& expected) {
   record.why = record.verdict == Verdict::Pass       ? ""
                : record.verdict == Verdict::Expected ? expected
                                                      : "beyond the tolerance";
+  if (!defect.empty()) {
+    record.verdict = Verdict::Fail;
+    record.why = defect;
+  }
   if (record.curve.empty()) {
     record.verdict = Verdict::Skipped;
     record.why = "nothing to compare";

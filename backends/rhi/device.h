@@ -86,7 +86,8 @@ class Device {
   void wait(Ticket ticket);
   void waitIdle();
 
-  /// Results of queries whose frames are finished. Timestamps in nanoseconds; occlusion in samples;
+  /// Results of queries whose frames are finished. Timestamps in ticks, for elapsedNs (timestamp.h)
+  /// alone; occlusion in samples;
   /// pipeline statistics as 7 values a query: input vertices, input primitives, vertex invocations,
   /// clipping invocations, clipping primitives, fragment invocations, compute invocations.
   std::vector<uint64_t> readQueries(QueryPoolId pool, uint32_t first, uint32_t count);

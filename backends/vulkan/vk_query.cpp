@@ -1,7 +1,6 @@
 #include "backends/vulkan/vk_query.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "backends/rhi/device.h"
 
@@ -63,15 +62,6 @@ void readQueries(const Context& context, const QueryPool& pool, uint32_t first, 
       context.vk.vkGetQueryPoolResults(context.device, pool.handle, first, count, out.size_bytes(),
                                        out.data(), stride, VK_QUERY_RESULT_64_BIT),
       "vkGetQueryPoolResults", "'" + pool.desc.label + "'");
-  if (pool.desc.kind != rhi::QueryKind::Timestamp) return;
-  const uint32_t bits = context.physical().info.limits.timestampBits;
-  const uint64_t mask = bits >= 64 ? UINT64_MAX : (uint64_t(1) << bits) - 1;
-  const double period = context.limits().timestampPeriod;
-  // A period of one tick must not pass through a double: 53 bits are not enough for a clock.
-  for (uint64_t& value : out) {
-    value &= mask;
-    if (period != 1.0) value = uint64_t(std::llround(double(value) * period));
-  }
 }
 
 }  // namespace vulkan

@@ -89,12 +89,15 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
        {"±", true, "half width of the 95 % interval of the median"},
        {"× none", true, "time over that of the same cell without shadows"},
        {"Visibility RMSE", true, "against the ray-traced truth, over all lights and layers"},
+       {"By light", true,
+        "RMSE of visibility, each pixel weighed by the light that it would reflect unshadowed"},
        {"Bias", true, "mean signed error of the visibility: positive is too light"},
        {"99.9 %", true, "99.9th percentile over pixels of the visibility's largest absolute error"},
        {"Image RMSE", true, "of linear radiance"},
        {"FLIP", true, "mean LDR-FLIP of the tone-mapped pictures, 0 to 1"},
        {"MiB", true, "memory that this cell alone keeps on the device"},
-       {"On the front", false, "no other cell is as fast and as exact, and better in one"},
+       {"On the front", false,
+        "no other cell is as fast and as exact by both errors, and better in one"},
        {"State"}});
   std::vector<TableLine> lines;
   for (size_t index : part.cells) {
@@ -119,6 +122,7 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
                     : absentEntry(whyOf(r, "precision")),
         baselineEntry(r),
         errorEntry(v(&ErrorStats::rmse), visibility, why),
+        errorEntry(r.visibility ? r.visibility->weighted : std::nullopt, nullptr, why),
         errorEntry(v(&ErrorStats::bias), nullptr, why),
         errorEntry(v(&ErrorStats::p999), nullptr, why),
         errorEntry(i ? std::optional(i->all.rmse) : std::nullopt, image, whyImage),

@@ -35,16 +35,19 @@ Json figures(const ScenePart& part, const Record& r) {
     if (x.kind == "baseline") add("× none", withInterval(x.value, x.low, x.high));
   if (r.visibility) {
     add("Visibility RMSE", errorText(r.visibility->all.rmse, visibility));
+    if (r.visibility->weighted)
+      add("Visibility RMSE, weighed by light", figure(*r.visibility->weighted));
     add("Visibility bias", figure(r.visibility->all.bias));
   }
   if (r.image) {
     add("Image RMSE", errorText(r.image->all.rmse, image));
     add("FLIP", figure(r.image->flip));
+    if (r.exposure != 1) add("Exposure", figure(r.exposure));
   }
   if (r.noise)
     add("Noise", figure(r.noise->noise) + " over " + std::to_string(r.noise->seeds) + " seeds");
   if (r.certificate)
-    add("Certificate", (r.certificate->unbiased ? "unbiased, " : "biased, ") +
+    add("Certificate", std::string(certificateVerdict(*r.certificate)) + ", " +
                            counted(r.certificate->regions.size(), "region", "regions") + " tested");
   add("Memory", mebibytes(r.bytes) + " MiB");
   if (visibility) add("On the front, visibility", frontText(*visibility));

@@ -23,10 +23,11 @@ std::string worstRegions(const Certificate& c) {
   for (size_t i = 0; i < std::min(kShown, sorted.size()); ++i) {
     const RegionTest& t = sorted[i];
     out += fmt::format(
-        "<li>light {}, layer {}, {}, at ({}, {}), {} px: truth {}, found {} of {} ({}), p = "
+        "<li>light {}, layer {}, {}, at ({}, {}), {} px: truth {}, found {} ± {} over {} {}, p = "
         "{}</li>",
-        t.light, t.layer, channelName(t.channel), t.x, t.y, t.pixels, figure(t.q), t.passes,
-        t.trials, figure(t.trials ? double(t.passes) / double(t.trials) : 0), figure(t.pValue));
+        t.light, t.layer, channelName(t.channel), t.x, t.y, t.pixels, figure(t.q), figure(t.mean),
+        figure(1.96 * t.error), t.trials, c.test == "binomial" ? "draws" : "seeds",
+        figure(t.pValue));
   }
   return out + "</ul></details>";
 }
@@ -37,9 +38,10 @@ TableEntry verdict(const Record& r) {
   const double level = c.familyWiseError / double(std::max<size_t>(c.regions.size(), 1));
   const auto refused = size_t(
       std::ranges::count_if(c.regions, [&](const RegionTest& t) { return t.pValue < level; }));
-  std::string html = c.unbiased ? "<strong class=\"good\">unbiased</strong>"
-                                : "<strong class=\"bad\">biased</strong>";
-  html += ": " + counted(c.regions.size(), "region", "regions") + " tested, " +
+  std::string html = !c.unbiased  ? "<strong>undecided</strong>: " + escaped(c.why)
+                     : *c.unbiased ? "<strong class=\"good\">unbiased</strong>"
+                                   : "<strong class=\"bad\">biased</strong>";
+  html += ": " + std::to_string(c.informative) + " informative of " + counted(c.regions.size(), "region", "regions") + " tested, " +
           std::to_string(refused) + " refused, <span class=\"unbroken\">family-wise error " +
           figure(c.familyWiseError) + "</span>";
   return {.html = html + worstRegions(c), .value = double(refused)};

@@ -35,6 +35,17 @@ double studentQuantile(uint32_t freedom) {
   return high;
 }
 
+Interval meanInterval(std::span<const double> samples) {
+  if (samples.size() < 2) return samples.empty() ? Interval{} : Interval{samples[0], samples[0]};
+  const double n = double(samples.size());
+  double mean = 0, squares = 0;
+  for (const double s : samples) mean += s / n;
+  for (const double s : samples) squares += (s - mean) * (s - mean);
+  const double half =
+      studentQuantile(uint32_t(samples.size() - 1)) * std::sqrt(squares / (n * (n - 1)));
+  return {mean - half, mean + half};
+}
+
 Slope fitSlope(std::span<const std::pair<double, double>> points) {
   assert(points.size() >= 3);
   const double n = double(points.size());

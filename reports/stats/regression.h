@@ -15,6 +15,10 @@ namespace report {
 /// `freedom` is at least 1.
 double studentQuantile(uint32_t freedom);
 
+/// 95 % interval of the mean of independent samples, by Student's t; the sample itself, or 0, for
+/// fewer than two.
+Interval meanInterval(std::span<const double> samples);
+
 struct Slope {
   double value = 0;
   Interval interval;  ///< 95 %

@@ -51,10 +51,21 @@ TradePoint pointOf(const Record& r, ErrorKind kind) {
   for (const Block& b : r.blocks) means.push_back(comparesCpu(r) ? b.cpuMs : b.frameMs);
   if (!means.empty()) p.timeInterval = holding(p.time, medianInterval(means));
   p.error = *errorOf(r, kind);
+  p.weighted = p.error;
+  if (kind == ErrorKind::Visibility) p.weighted = r.visibility->weighted.value_or(p.error);
   p.errorInterval = {p.error, p.error};
   if (kind == ErrorKind::Visibility && r.noise)
     p.errorInterval = holding(p.error, {r.noise->rmseLow, r.noise->rmseHigh});
   return p;
+}
+
+/// The ratio that is shown wins over a quotient of other cells' medians.
+std::optional<double> timesBaseline(const Record& r, const std::optional<double>& baseline) {
+  if (r.technique == kBaseline) return 1;
+  for (const Ratio& ratio : r.ratios)
+    if (ratio.kind == "baseline") return ratio.value;
+  if (!baseline) return {};
+  return timeOf(r) / *baseline;
 }
 
 bool sameScene(const Record& r, const TradeOff& t) {
@@ -97,6 +108,7 @@ void addPoints(TradeOff& t, const Run& run) {
     if (!r.transparency.empty()) transparencies.insert(r.transparency);
   }
   for (TradePoint& p : t.points) {
+    p.timesBaseline = timesBaseline(*p.record, t.baseline);
     const std::string& transparency = p.record->transparency;
     if (transparencies.size() > 1 && !transparency.empty()) p.technique += "+" + transparency;
     if (std::ranges::find(t.techniques, p.technique) == t.techniques.end())
@@ -109,13 +121,17 @@ void addPoints(TradeOff& t, const Run& run) {
 bool mayDominate(const TradePoint& a, const TradePoint& b) {
   const double time = b.timeInterval.high - a.timeInterval.low;
   const double error = b.errorInterval.high - a.errorInterval.low;
-  return time >= 0 && error >= 0 && (time > 0 || error > 0);
+  // How the weighted error scatters is not known: it moves as the plain one does.
+  const double scatter = (b.errorInterval.high - b.error) + (a.error - a.errorInterval.low);
+  const double weighted = b.weighted - a.weighted + scatter;
+  return time >= 0 && error >= 0 && weighted >= 0 && (time > 0 || error > 0 || weighted > 0);
 }
 
 }  // namespace
 
 bool dominates(const TradePoint& a, const TradePoint& b) {
-  return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+  return a.time <= b.time && a.error <= b.error && a.weighted <= b.weighted &&
+         (a.time < b.time || a.error < b.error || a.weighted < b.weighted);
 }
 
 void markFront(std::vector<TradePoint>& points) {

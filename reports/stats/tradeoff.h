@@ -21,10 +21,15 @@ struct TradePoint {
   std::string technique;   ///< one of TradeOff::techniques
   double time = 0;         ///< milliseconds of the compared time: CPU on software devices, else GPU
   Interval timeInterval;   ///< of the median of the means of blocks
+  /// Time over that of the same cell without shadows, as the record's ratio to it says; over the
+  /// group's baseline where the record has none. Absent: there is no baseline.
+  std::optional<double> timesBaseline;
   double error = 0;        ///< RMSE
+  double weighted = 0;     ///< of visibility, weighed by reflected light; `error` where there is none
   Interval errorInterval;  ///< over seeds; a point for what is not stochastic
   uint64_t bytes = 0;
-  bool front = false;  ///< no other point is as fast and as exact, and better in one
+  /// No other point is as fast and as exact by both errors, and better in one.
+  bool front = false;
   /// On the front, but there are values within the intervals of this point and of one other at
   /// which that other is as fast and as exact at once, and better in one. So a neighbour that is
   /// certainly slower or certainly less exact leaves a point certain.
@@ -75,7 +80,7 @@ struct TradeOff {
   /// In order of appearance; "technique+transparency" where the points have several transparencies.
   std::vector<std::string> techniques;
   std::vector<TradePoint> points;    ///< cells that are ok, not contaminated, and have an error
-  std::vector<TableRow> equalTime;   ///< 1, 2, 4, 8, 16 times the baseline; empty without one
+  std::vector<TableRow> equalTime;   ///< timesBaseline at most 1, 2, 4, 8, 16; empty without one
   std::vector<TableRow> equalError;  ///< RMSE 1e-1, 3e-2, 1e-2, 3e-3
   std::vector<Convergence> orders;
   std::vector<Exchange> exchanges;

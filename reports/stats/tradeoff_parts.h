@@ -11,7 +11,7 @@ namespace report {
 
 /// Sets `front` and `uncertain` of every point.
 void markFront(std::vector<TradePoint>& points);
-/// Does `a` dominate `b`: as fast and as exact, and better in one?
+/// Does `a` dominate `b`: as fast and as exact by both errors, and better in one?
 bool dominates(const TradePoint& a, const TradePoint& b);
 
 /// equalTime and equalError.

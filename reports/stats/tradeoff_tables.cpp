@@ -36,11 +36,10 @@ void fillTables(TradeOff& t) {
     return std::tie(a.time, a.error) < std::tie(b.time, b.error);
   };
   if (t.baseline)
-    for (double limit : kTimes) {
-      const double most = limit * *t.baseline;
+    for (double limit : kTimes)
       t.equalTime.push_back(row(
-          t, limit, [&](const TradePoint& p) { return p.time <= most; }, moreExact));
-    }
+          t, limit, [&](const TradePoint& p) { return p.timesBaseline.value_or(limit + 1) <= limit; },
+          moreExact));
   for (double limit : kErrors)
     t.equalError.push_back(row(
         t, limit, [&](const TradePoint& p) { return p.error <= limit; }, faster));

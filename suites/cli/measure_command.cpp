@@ -140,6 +140,7 @@ int measureCommand(const Options& given) {
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});
   report::Run run = report::describeMachine("bench", SHADOWBENCH_VERSION);
+  describeLibrary(run);
   Selection selection = options.selection;
   const bool quick = isQuick(options);
   if (quick) selection.size = {256, 256};

@@ -1,5 +1,6 @@
 // Regions of receivers on which a stochastic technique must pass light with a known probability, and
-// the trials it made there (spec 16; exact binomial test).
+// what it did there (spec 16): draws for the exact binomial test where a lookup averages equal
+// trials, means over seeds elsewhere.
 #pragma once
 
 #include <vector>
@@ -17,15 +18,18 @@ struct TrialRegion {
   std::vector<uint32_t> pixels;  ///< indices, row 0 at the bottom
   glm::dvec3 q = glm::dvec3(0);
   uint64_t passes[3] = {0, 0, 0};
-  uint64_t trials = 0;  ///< a channel
+  uint64_t trials = 0;           ///< a channel
+  std::vector<double> means[3];  ///< one a seed
 };
 
-/// Regions of at least 64 pixels in one light's layer; of each, at most 64 pixels are tried.
+/// Regions of at least 64 pixels in one light's layer; of each, at most 512 pixels are tried.
 std::vector<TrialRegion> trialRegions(const Tracer& tracer, Values truth,
                                       std::span<const uint8_t> edges, rhi::Extent2D size,
                                       uint32_t light, uint32_t layer, const LookupReach& reach);
-/// Adds one seed's answers.
-void countTrials(TrialRegion& region, Values answers, uint32_t trialsPerLookup);
+/// Adds one seed's answers. `trialsPerLookup`: equal yes-or-no draws that a lookup averages; 0: it
+/// does not, and only means count.
+void addSeed(TrialRegion& region, Values answers, uint32_t trialsPerLookup);
+/// By the exact test where there were trials, by means over seeds elsewhere.
 report::Certificate certificateOf(const std::vector<TrialRegion>& regions, rhi::Extent2D size);
 
 }  // namespace sb

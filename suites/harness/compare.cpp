@@ -19,10 +19,11 @@ bool isSameOnOtherBackend(const CellId& a, CellId b) {
 }
 
 void comparePictures(Record& record, const report::Picture& mine, const report::Picture& other) {
+  const float exposure = float(record.exposure);
   record.crossBackendMax255 =
-      std::max(record.crossBackendMax255.value_or(0), maxDifference255(mine, other));
+      std::max(record.crossBackendMax255.value_or(0), maxDifference255(mine, other, exposure));
   record.crossBackendOver1 =
-      std::max(record.crossBackendOver1.value_or(0), pixelsBeyondOneStep(mine, other));
+      std::max(record.crossBackendOver1.value_or(0), pixelsBeyondOneStep(mine, other, exposure));
 }
 
 /// Is `b` what the cost of `a` is told against? The reference, which runs on no backend, has the

@@ -55,6 +55,9 @@ class Corrected final : public BenchmarkReporter {
     run.run_name.iterations.clear();
     run.run_name.repetitions.clear();
     run.run_name.time_type.clear();
+    // The library's coefficient of variation of what is 0 is 0/0, which is no JSON.
+    std::erase_if(run.counters, [](const auto& c) { return !std::isfinite(c.second.value); });
+    if (!std::isfinite(run.real_accumulated_time)) run.real_accumulated_time = 0;
     auto found = m_records.find(run.run_name.function_name);
     if (found == m_records.end() || run.error_occurred) return;
     std::vector<double> cpu;
@@ -105,6 +108,7 @@ void replay(benchmark::State& state, const report::Record& record, size_t& next)
   count("shadow_ms", record.shadowMs);
   count("scene_ms", record.sceneMs);
   if (record.visibility) state.counters["visibility_rmse"] = record.visibility->all.rmse;
+  if (record.visibility) count("visibility_weighted_rmse", record.visibility->weighted);
   if (record.image) state.counters["image_rmse"] = record.image->all.rmse;
   if (record.image) state.counters["flip"] = record.image->flip;
   state.counters["passes"] = double(record.passCount);
@@ -120,7 +124,7 @@ void registerCell(const report::Record& record) {
         replay(state, record, next);
       });
   entry->UseManualTime()
-      ->Unit(benchmark::kMillisecond)
+      ->Unit(benchmark::kMicrosecond)
       ->Iterations(ok ? std::max(1u, record.blocks.front().frames) : 1)
       ->Repetitions(ok ? int(record.blocks.size()) : 1);
 }
@@ -192,6 +196,15 @@ BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
     throw InputError(
         "", "unknown option '" + std::string(argv[1]) + "'; Google Benchmark 1.7 does not know it");
   return flags;
+}
+
+void describeLibrary(report::Run& run) {
+  run.libraryVersion = "v" SHADOWBENCH_BENCHMARK_VERSION;
+  for (const auto& c : benchmark::CPUInfo::Get().caches)
+    run.caches.push_back({.type = c.type,
+                          .level = c.level,
+                          .bytes = uint64_t(c.size),
+                          .sharing = uint32_t(c.num_sharing)});
 }
 
 void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records) {

@@ -28,6 +28,9 @@ struct BenchmarkFlags {
 /// does not know, or a bad value, is an InputError.
 BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments);
 
+/// Fills what the library knows of itself and of the machine: its version, the CPU's caches.
+void describeLibrary(report::Run& run);
+
 /// Runs the library over the records: writes --benchmark_out, prints if display was asked for.
 void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records);
 

@@ -7,8 +7,9 @@
 #include "backends/rhi/memory_limit.h"
 #include "reports/stats/stats.h"
 #include "suites/harness/compare.h"
-#include "suites/harness/load_watch.h"
 #include "suites/harness/judge.h"
+#include "suites/harness/load_watch.h"
+#include "suites/harness/plausible.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/subject.h"
 #include "suites/harness/verify.h"
@@ -150,6 +151,12 @@ class Group {
     return wall;
   }
 
+  static std::vector<FrameResult> frames(Subject& subject, FrameMode mode, uint32_t count) {
+    std::vector<FrameResult> frames;
+    for (uint32_t i = 0; i < count; ++i) frames.push_back(subject.frame(mode));
+    return frames;
+  }
+
   /// Every pipeline and state is drawn twice before the windows begin.
   void warmUp(Active& a) {
     Subject& subject = *a.subject;
@@ -199,13 +206,15 @@ class Group {
   }
 
   void measureBlock(Active& a) {
-    SampleBlock block;
     const size_t pipelines = a.subject->pipelines();
-    for (uint32_t i = 0; i < a.framesPerBlock; ++i)
-      block.frames.push_back(a.subject->frame(FrameMode::Plain));
+    // A counter that is reset spoils one block, a broken one all.
+    for (int attempt = 0; attempt < 3; ++attempt)
+      if (addBlock(a.samples, frames(*a.subject, FrameMode::Plain, a.framesPerBlock), a.software))
+        break;
+      else if (attempt == 2)
+        throw std::runtime_error("timer not trusted: the stamps of every frame exceed its wall time");
     if (a.subject->pipelines() != pipelines)
       addOnce(a.result->record.contamination, "a pipeline was created within a timed frame");
-    a.samples.blocks.push_back(std::move(block));
     takeMessages(a);
   }
 
@@ -224,9 +233,11 @@ class Group {
     record.stable = record.picture == a.untimedPicture;
     record.nonfinite = countNonFinite(result.picture);
     if (a.subject->hasPasses()) {
-      const uint32_t stamped = wholeLoops(m_settings.stampedFrames, a.subject->steps());
-      for (uint32_t i = 0; i < stamped; ++i)
-        a.samples.stamped.push_back(a.subject->frame(FrameMode::Stamped));
+      const uint32_t steps = a.subject->steps();
+      for (uint32_t i = 0; i < m_settings.stampedFrames; i += steps) {
+        std::vector<FrameResult> stamped = frames(*a.subject, FrameMode::Stamped, steps);
+        addStamped(a.samples, {std::move(stamped), frames(*a.subject, FrameMode::Plain, steps)});
+      }
       for (uint32_t i = 0; i < a.subject->steps(); ++i)
         a.samples.counted = a.subject->frame(FrameMode::Counted);
     }
@@ -243,8 +254,8 @@ class Group {
     if (Renderer* renderer = a.subject->renderer())
       for (const std::string& w : renderer->warnings()) addOnce(record.warnings, w);
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
-    if (const std::string why = whyRefused(record); !why.empty())
-      return report::refuse(record, why);
+    for (const std::string& why : {whyRefused(record), whyImplausible(a.samples, a.software)})
+      if (!why.empty()) return report::refuse(record, why);
     m_judge.judge(*a.subject, result.id, result.picture, record, result.files);
   }
 

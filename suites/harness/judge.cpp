@@ -6,7 +6,9 @@
 #include "suites/harness/verify.h"
 #include "suites/metrics/error.h"
 #include "suites/metrics/error_map.h"
+#include "suites/metrics/exposure.h"
 #include "suites/metrics/regions.h"
+#include "suites/metrics/weighted.h"
 #include "suites/truth/truth_cache.h"
 #include "techniques/common/registry.h"
 
@@ -70,6 +72,14 @@ const Truth* Judge::truth() {
   return &*m_truth;
 }
 
+float Judge::exposure(const report::Picture& picture) {
+  if (!m_exposure)
+    m_exposure = m_settings.exposure ? *m_settings.exposure
+                                     : automaticExposure(m_truth ? pictureOf(m_size, m_truth->image)
+                                                                 : picture);
+  return *m_exposure;
+}
+
 Values Judge::truthAt(uint32_t light, uint32_t layer) const {
   return m_truth->visibility[size_t(light) * kTruthLayers + layer];
 }
@@ -80,30 +90,24 @@ std::span<const uint8_t> Judge::edgesAt(uint32_t light, uint32_t layer) const {
 
 void Judge::judge(Subject& subject, const CellId& id, const report::Picture& picture,
                   report::Record& record, PictureFiles& files) {
-  if (!truth()) {
+  const bool known = truth() != nullptr;
+  const float factor = exposure(picture);
+  record.exposure = double(factor);
+  if (!known) {
     for (const char* key : {"visibility", "image", "noise", "certificate", "blame", "truth_stderr"})
       record.why[key] = m_why;
     return;
   }
-  const report::Picture reference = pictureOf(m_size, m_truth->image);
-  record.image = imageError(picture, reference, m_truth->imageEdges);
+  const report::Picture shown = exposed(picture, factor);
+  const report::Picture reference = exposed(pictureOf(m_size, m_truth->image), factor);
+  record.image = imageError(shown, reference, m_truth->imageEdges);
   record.truthStderr = m_truth->standardError;
-  addFile("image", picture, report::toSrgb8(picture), record, files);
-  addFile("truth", picture, report::toSrgb8(reference), record, files);
-  addFile("error", picture, errorMap(picture, reference), record, files);
+  addFile("image", shown, report::toSrgb8(shown), record, files);
+  addFile("truth", shown, report::toSrgb8(reference), record, files);
+  addFile("error", shown, errorMap(shown, reference), record, files);
 
   Renderer* renderer = subject.renderer();
-  if (!renderer) {
-    // The tracer asks the truth itself.
-    record.visibility = report::VisibilityError{};
-    for (const char* key : {"noise", "certificate"})
-      record.why[key] = transparencyTechnique(id.transparency).info.stochastic &&
-                                renderer->plan().planned.has(Effect::CameraTransparency)
-                            ? "visibility is not random, only the mix of translucent surfaces is"
-                            : "nothing random runs";
-    record.why["blame"] = "no error";
-    return;
-  }
+  if (!renderer) return judgeTracer(subject, record, files);
   // Other seeds are judged where the truth's camera stands; whole loops have ended there.
   renderer->standStill();
   std::vector<Answer> answers;
@@ -123,12 +127,23 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
   else
     moments = judgeSeeds(*renderer, id.seed, answers, record);
   judgeRegions(answers, moments, record);
-  blame(*renderer, answers, moments, record, files);
+  blame([&](uint32_t light) { return renderer->reach(light); }, answers, moments, record, files);
+}
+
+void Judge::judgeTracer(Subject& subject, report::Record& record, PictureFiles& files) {
+  for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
+  std::vector<Answer> answers;
+  for (uint32_t light = 0; light < m_scene.lights.size(); ++light)
+    answers.push_back({light, light, subject.visibility(light)});
+  judgeVisibility(answers, record);
+  judgeRegions(answers, {}, record);
+  blame([](uint32_t) { return LookupReach{}; }, answers, {}, record, files);
 }
 
 void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
   ErrorSum all, interior;
   report::VisibilityError total;
+  WeightedSum weighted, weightedInterior;
   for (const Answer& a : answers)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const Values measured = a.layers[layer], expected = truthAt(a.light, layer);
@@ -145,10 +160,15 @@ void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& 
       if (error.error.all.pixels == 0 && error.error.oneSided == 0) continue;
       all.add(measured, expected);
       interior.add(measured, expected, edges);
+      const auto& reflected = m_truth->reflected[size_t(a.light) * kTruthLayers + layer];
+      weighted.add(measured, expected, reflected);
+      weightedInterior.add(measured, expected, reflected, edges);
       record.visibilityLayers.push_back(std::move(error));
     }
   total.all = all.stats();
   total.interior = interior.stats();
+  total.weighted = weighted.rmse();
+  total.weightedInterior = weightedInterior.rmse();
   if (total.oneSidedInterior > 0)
     record.warnings.push_back(std::to_string(total.oneSidedInterior) +
                               " pixels away from edges show a surface to the technique or to the "
@@ -194,13 +214,14 @@ ValueRange Judge::truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32
   return range;
 }
 
-void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
+void Judge::blame(const std::function<LookupReach(uint32_t)>& reachOf,
+                  const std::vector<Answer>& answers,
                   const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
                   PictureFiles& files) {
   BlameSum sum(m_size.width, m_size.height);
   for (size_t i = 0; i < answers.size(); ++i) {
     const Answer& a = answers[i];
-    const LookupReach reach = renderer.reach(a.light);
+    const LookupReach reach = reachOf(a.light);
     const bool looksUp = reach.constant > 0 || reach.perDistance > 0;
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const std::vector<float> variance =
@@ -209,6 +230,7 @@ void Judge::blame(const Renderer& renderer, const std::vector<Answer>& answers,
                        .truth = truthAt(a.light, layer),
                        .mean = moments.empty() ? Values() : Values(moments[i][layer].mean()),
                        .variance = variance,
+                       .seeds = moments.empty() ? 1 : moments[i][layer].seeds(),
                        .surfaces = m_truth->surfaces[layer],
                        .truthAround = nullptr};
       if (looksUp)

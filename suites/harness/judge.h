@@ -21,6 +21,7 @@ struct JudgeSettings {
   bool enabled = true;
   uint32_t seeds = 64;          ///< of stochastic techniques; below 2: noise is not measured
   std::filesystem::path cache;  ///< of truths; empty: none
+  std::optional<float> exposure;  ///< absent: automatic, from the truth's picture
   const std::atomic<bool>* interrupted = nullptr;
   std::function<void(double)> progress;  ///< of tracing a truth and of a cell's seeds, 0..1
 };
@@ -48,6 +49,8 @@ class Judge {
   };
 
   const Truth* truth();
+  /// Of the scene: as set, or from the truth, or from the first picture where there is no truth.
+  float exposure(const report::Picture& picture);
   const Tracer& tracer();
   Values truthAt(uint32_t light, uint32_t layer) const;
   std::span<const uint8_t> edgesAt(uint32_t light, uint32_t layer) const;
@@ -64,9 +67,13 @@ class Judge {
   /// Least and greatest truth as far as a lookup reaches and in the pixels beside.
   ValueRange truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,
                          const LookupReach& reach);
-  void blame(const Renderer& renderer, const std::vector<Answer>& answers,
+  /// `reachOf` a light by its index in the scene.
+  void blame(const std::function<LookupReach(uint32_t)>& reachOf,
+             const std::vector<Answer>& answers,
              const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
              PictureFiles& files);
+  /// The tracer's own answers, measured like any others.
+  void judgeTracer(Subject& subject, report::Record& record, PictureFiles& files);
 
   const Scene& m_scene;
   const std::string m_sceneHash;
@@ -74,6 +81,7 @@ class Judge {
   const JudgeSettings m_settings;
   std::string m_why;  ///< no truth, or ""
   std::optional<Truth> m_truth;
+  std::optional<float> m_exposure;
   std::unique_ptr<Tracer> m_tracer;
 };
 

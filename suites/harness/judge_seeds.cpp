@@ -1,7 +1,7 @@
 // What is random apart from what is wrong: the same cell with other seeds.
 #include <cmath>
 
-#include "reports/stats/stats.h"
+#include "reports/stats/regression.h"
 #include "suites/harness/certify.h"
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
@@ -14,14 +14,14 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
   std::vector<TrialRegion> regions;
   const uint32_t trials = answers.empty() ? 0 : renderer.reach(answers.front().light).trials;
   for (const Answer& a : answers)
-    for (uint32_t layer = 0; trials > 0 && layer < kTruthLayers; ++layer)
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
       for (TrialRegion& r : trialRegions(tracer(), truthAt(a.light, layer), edgesAt(a.light, layer),
                                          m_size, a.light, layer, renderer.reach(a.light)))
         regions.push_back(std::move(r));
 
   std::vector<std::vector<SeedMoments>> moments(answers.size(),
                                                 std::vector<SeedMoments>(kTruthLayers));
-  std::vector<double> errors;
+  std::vector<double> errors, biases;
   for (uint32_t n = 0; n < m_settings.seeds; ++n) {
     if (m_settings.interrupted && m_settings.interrupted->load()) break;
     if (m_settings.progress) m_settings.progress(double(n) / m_settings.seeds);
@@ -35,9 +35,11 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
         sum.add(layers[layer], truthAt(answers[i].light, layer));
       }
       for (TrialRegion& r : regions)
-        if (r.light == answers[i].light) countTrials(r, layers[r.layer], trials);
+        if (r.light == answers[i].light) addSeed(r, layers[r.layer], trials);
     }
-    errors.push_back(sum.stats().rmse);
+    const report::ErrorStats stats = sum.stats();
+    errors.push_back(stats.rmse);
+    biases.push_back(stats.bias);
   }
   renderer.setSeed(seed);
   renderer.frame();
@@ -46,10 +48,10 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
   const report::Interval interval = report::medianInterval(errors);
   record.noise->rmseLow = interval.low;
   record.noise->rmseHigh = interval.high;
-  if (trials > 0)
-    record.certificate = certificateOf(regions, m_size);
-  else
-    record.why["certificate"] = "a lookup is no sum of equal trials";
+  const report::Interval bias = report::meanInterval(biases);
+  record.noise->biasLow = bias.low;
+  record.noise->biasHigh = bias.high;
+  record.certificate = certificateOf(regions, m_size);
   return moments;
 }
 
@@ -71,9 +73,13 @@ report::NoiseRecord Judge::noiseOf(const std::vector<Answer>& answers,
       }
     }
   const report::ErrorStats bias = mean.stats();
-  return {.seeds = answers.empty() ? 0 : moments[0][0].seeds(),
-          .noise = values ? std::sqrt(variance / double(values)) : 0,
-          .biasRmse = bias.rmse,
+  const uint32_t seeds = answers.empty() ? 0 : moments[0][0].seeds();
+  if (values) variance /= double(values);
+  // E[(mean - truth)^2] = bias^2 + variance / seeds.
+  const double ofMean = seeds ? variance / seeds : 0;
+  return {.seeds = seeds,
+          .noise = std::sqrt(variance),
+          .biasRmse = std::sqrt(std::max(0.0, bias.rmse * bias.rmse - ofMean)),
           .bias = bias.bias};
 }
 

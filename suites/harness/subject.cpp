@@ -76,6 +76,16 @@ class TracerSubject final : public Subject {
   double createMs() const override { return m_createMs; }
   bool hasPasses() const override { return false; }
   std::string passesUntrusted() const override { return "ray tracing has no passes"; }
+  std::vector<VisibilityImage> visibility(uint32_t light) override {
+    if (!m_answers) m_answers = m_tracer.trace({.width = m_id.width, .height = m_id.height});
+    const auto first = m_answers->visibility.begin() + ptrdiff_t(light) * kTruthLayers;
+    std::vector<VisibilityImage> layers(first, first + kTruthLayers);
+    // A visibility buffer has an answer wherever a surface is, asked for or not.
+    for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
+      for (size_t p = 0; p < m_answers->surfaces[layer].size(); ++p)
+        if (m_answers->surfaces[layer][p] > 0) layers[layer][4 * p + 3] = 1;
+    return layers;
+  }
   void describe(report::Record& record) const override {
     record.bytes = m_tracer.bytes();
     record.bytesByLabel["triangles and tree"] = record.bytes;
@@ -93,6 +103,7 @@ class TracerSubject final : public Subject {
   Tracer m_tracer;
   double m_createMs = 0;
   std::vector<float> m_image;
+  std::optional<Truth> m_answers;  ///< traced when asked for, outside what is timed
 };
 
 std::string cpuName() {

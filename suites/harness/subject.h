@@ -37,6 +37,8 @@ class Subject {
   virtual std::string passesUntrusted() const { return ""; }
   /// Null: nothing of a rasteriser to ask for visibility.
   virtual Renderer* renderer() { return nullptr; }
+  /// Of a subject without a renderer: what it says of a light of the scene, all layers.
+  virtual std::vector<VisibilityImage> visibility(uint32_t) { return {}; }
   /// Fills what the record says of plan and memory.
   virtual void describe(report::Record& record) const = 0;
 };

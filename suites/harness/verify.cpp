@@ -16,17 +16,18 @@ uint64_t countNonFinite(const report::Picture& picture) {
   return uint64_t(std::ranges::count_if(picture.rgba, [](float v) { return !std::isfinite(v); }));
 }
 
-int maxDifference255(const report::Picture& a, const report::Picture& b) {
+int maxDifference255(const report::Picture& a, const report::Picture& b, float exposure) {
   if (a.width != b.width || a.height != b.height) return 255;
-  const auto x = report::toSrgb8(a), y = report::toSrgb8(b);
+  const auto x = report::toSrgb8(a, exposure), y = report::toSrgb8(b, exposure);
   int most = 0;
   for (size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(int(x[i]) - int(y[i])));
   return most;
 }
 
-uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b) {
+uint64_t pixelsBeyondOneStep(const report::Picture& a, const report::Picture& b,
+                             float exposure) {
   if (a.width != b.width || a.height != b.height) return uint64_t(a.width) * a.height;
-  const auto x = report::toSrgb8(a), y = report::toSrgb8(b);
+  const auto x = report::toSrgb8(a, exposure), y = report::toSrgb8(b, exposure);
   uint64_t count = 0;
   for (size_t i = 0; i + 2 < x.size(); i += 3)
     count += std::abs(int(x[i]) - int(y[i])) > 1 || std::abs(int(x[i + 1]) - int(y[i + 1])) > 1 ||

@@ -59,7 +59,8 @@ void BlameSum::add(const BlameInput& in) {
       if (stochastic) m_squares[p][size_t(Cause::Noise)] += in.variance[4 * p + c];
     }
     m_values += 3;
-    if (largest == 0) continue;
+    const auto varies = [&](size_t c) { return stochastic && in.variance[4 * p + c] > 0; };
+    if (largest == 0 && !varies(0) && !varies(1) && !varies(2)) continue;
     std::optional<ValueRange> around;
     if (in.truthAround && largest > kVisible)
       around = in.truthAround(uint32_t(p % m_width), uint32_t(p / m_width));
@@ -68,7 +69,8 @@ void BlameSum::add(const BlameInput& in) {
                           : in.surfaces[p] == 2                             ? Cause::InnerLayer
                           : error[c] < 0                                    ? Cause::SelfShadowing
                                                                             : Cause::Leaking;
-      m_squares[p][size_t(cause)] += error[c] * error[c];
+      const float ofMean = stochastic ? in.variance[4 * p + c] / float(in.seeds) : 0.0f;
+      m_squares[p][size_t(cause)] += error[c] * error[c] - ofMean;
     }
   }
 }
@@ -77,7 +79,7 @@ report::Blame BlameSum::blame() const {
   double sums[kCauses] = {}, total = 0;
   for (const auto& squares : m_squares)
     for (size_t k = 0; k < kCauses; ++k) sums[k] += double(squares[k]);
-  for (const double s : sums) total += s;
+  for (double& s : sums) total += s = std::max(0.0, s);
   report::Blame blame{.mse = m_values ? total / double(m_values) : 0, .shares = {}};
   if (total == 0) return blame;
   for (size_t k = 0; k < kCauses; ++k)
@@ -91,7 +93,7 @@ std::vector<uint8_t> BlameSum::picture() const {
     for (uint32_t x = 0; x < m_width; ++x) {
       const auto& squares = m_squares[size_t(y) * m_width + x];
       double sum = 0;
-      for (const float s : squares) sum += double(s);
+      for (const float s : squares) sum += double(std::max(0.0f, s));
       const auto largest = size_t(std::ranges::max_element(squares) - squares.begin());
       const auto color = causeColor(Cause(largest));
       uint8_t* out = rgb.data() + 3 * (size_t(m_height - 1 - y) * m_width + x);

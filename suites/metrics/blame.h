@@ -31,6 +31,7 @@ struct BlameInput {
   Values truth;
   Values mean;                  ///< over seeds; empty: not stochastic
   Values variance;              ///< over seeds, RGB; empty: not stochastic
+  uint32_t seeds = 1;           ///< that mean and variance are over
   std::span<const uint8_t> surfaces;  ///< as Truth::surfaces of the layer
   /// Least and greatest truth around a pixel, as far as a lookup reaches. Asked only for pixels with
   /// an error above 1/255. Null: there are no lookups, and no resolution to blame.
@@ -40,9 +41,11 @@ struct BlameInput {
 class BlameSum {
  public:
   BlameSum(uint32_t width, uint32_t height);
-  /// Stochastic: splits E[e^2] = variance + (mean - truth)^2; else (measured - truth)^2.
+  /// Stochastic: splits E[e^2] = variance + bias^2, where bias^2 is (mean - truth)^2 less what the
+  /// mean over seeds still varies; else (measured - truth)^2.
   void add(const BlameInput& input);
-  /// Shares sum to 1 within rounding.
+  /// Shares sum to 1 within rounding. A cause whose bias is noise alone, and which that correction
+  /// takes below 0, has none.
   report::Blame blame() const;
   /// Colour of each pixel: its largest cause, as bright as its error's root (sRGB bytes, RGB, row 0
   /// at the top). Colours in `causeColor`.

@@ -1,4 +1,4 @@
-// Bias and noise of stochastic techniques apart, and the exact test of unbiasedness.
+// Bias and noise of stochastic techniques apart, and regions of equal truth.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,6 @@ class SeedMoments {
   uint32_t m_seeds = 0;
   std::vector<float> m_mean, m_squares;
 };
-
-/// Two-sided exact binomial p-value of `passes` in `trials` at probability `q`: the sum of the
-/// probabilities of all outcomes no likelier than the one seen. q = 0 and q = 1 allow one outcome.
-double binomialPValue(uint64_t passes, uint64_t trials, double q);
-
-/// Fills `unbiased` from the regions: Bonferroni over all of them.
-void judge(report::Certificate& certificate);
 
 /// Connected pixels (4-neighbours) of one layer with equal truth (to 1e-6 in each channel), whose
 /// alpha is 1 and whose mask is 0, of at least `least` pixels. Each list is in row order.

@@ -31,10 +31,11 @@ Found ties(const CaseContext& context) {
     options.onOther = true;
     Probe there(context, gridded(), options);
     const VisibilityImage &a = here.visibility()[0], &b = there.visibility()[0];
-    double differ = 0;
+    Compared differ;
     for (size_t i = 0; i < a.size(); i += 4)
-      differ += !std::equal(a.begin() + long(i), a.begin() + long(i) + 4, b.begin() + long(i));
-    found.curve.push_back({double(size), differ, 0});
+      if (a[i + 3] != 0 || b[i + 3] != 0)
+        differ.count(!std::equal(a.begin() + long(i), a.begin() + long(i) + 4, b.begin() + long(i)));
+    found.curve.push_back({double(size), differ.value(), 0});
   }
   return found;
 }
@@ -54,10 +55,11 @@ bool casts(const CaseContext& context, float wall, float nearest, float gap) {
   scene.cameras[0].nearPlane = wall / 4;
   Probe probe(context, std::move(scene), single("1024", {96, 96}));
   const VisibilityImage& image = probe.visibility()[0];
-  float lit = 0;
+  Compared lit;
   for (uint32_t y = 40; y < 56; ++y)
-    for (uint32_t x = 56; x < 68; ++x) lit = std::max(lit, image[4 * (y * 96 + x)]);
-  return lit == 0;
+    for (uint32_t x = 56; x < 68; ++x)
+      if (image[4 * (y * 96 + x) + 3] != 0) lit.worst(double(image[4 * (y * 96 + x)]));
+  return lit.value() == 0;
 }
 
 Found contact(const CaseContext& context) {
@@ -119,15 +121,17 @@ double wrongDraws(const CaseContext& context, const glm::vec3& t, const glm::vec
   addHorizontal(scene, add(scene, glass(1, t)), {0, 1, 0}, 4.5f, 4.5f);
   const uint32_t size = context.quick ? 128 : 1024, seeds = context.quick ? 1 : 16;
   Probe probe(context, std::move(scene), single(std::to_string(size), {size, size}));
-  double wrong = 0;
+  Compared wrong;
   for (uint32_t seed = 0; seed < seeds; ++seed) {
     probe.renderer().setSeed(seed);
     probe.renderer().frame();
     const VisibilityImage image = probe.renderer().readVisibility(0)[0];
     for (size_t i = 0; i < image.size(); i += 4)
-      for (int c = 0; c < 3; ++c) wrong += expected[c] >= 0 && image[i + size_t(c)] != expected[c];
+      for (int c = 0; c < 3; ++c)
+        if (image[i + 3] != 0 && expected[c] >= 0)
+          wrong.count(image[i + size_t(c)] != expected[c]);
   }
-  return wrong;
+  return wrong.value();
 }
 
 Found certainDraws(const CaseContext& context) {

@@ -88,21 +88,21 @@ Found degenerate(const CaseContext& context) {
 /// Pixels of the first opaque surface that changed although nothing within two pixels varies.
 double changedInside(Probe& before, Probe& after, int width, int height) {
   const auto &a = before.visibility()[0], &b = after.visibility()[0];
-  double far = 0;
+  Compared far;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const size_t i = 4 * size_t(y * width + x);
+      if (a[i + 3] == 0 && b[i + 3] == 0) continue;
       const auto same = [](const VisibilityImage& p, size_t k, const VisibilityImage& q, size_t l) {
         return std::equal(p.begin() + long(k), p.begin() + long(k) + 4, q.begin() + long(l));
       };
-      if (same(a, i, b, i)) continue;
-      bool edge = false;
+      bool edge = same(a, i, b, i);
       for (int v = std::max(0, y - 2); v <= std::min(height - 1, y + 2); ++v)
         for (int u = std::max(0, x - 2); u <= std::min(width - 1, x + 2); ++u)
           edge |= !same(a, i, a, 4 * size_t(v * width + u));
-      far += !edge;
+      far.count(!edge);
     }
-  return far;
+  return far.value();
 }
 
 Found perturbed(const CaseContext& context) {
@@ -188,12 +188,12 @@ Found grazing(const CaseContext& context) {
     Scene scene = floorScene();
     scene.lights[0] = sun({std::sin(a) * 0.8, -std::cos(a), std::sin(a) * 0.6});
     Probe probe(context, std::move(scene), kOptions);
-    double lost = 0;
+    Compared lost;
     for (size_t i = 0; i < probe.visibility()[0].size(); i += 4)
-      if (probe.visibility()[0][i + 3] > 0)
-        lost = std::max(lost, 1 - double(probe.visibility()[0][i]));
+      if (probe.visibility()[0][i + 3] > 0) lost.worst(1 - double(probe.visibility()[0][i]));
     const bool clamped = angle > 84.28;
-    found.curve.push_back({angle, clamped ? lost * std::cos(a) : lost, clamped ? 0.1 : 0.0});
+    found.curve.push_back(
+        {angle, clamped ? lost.value() * std::cos(a) : lost.value(), clamped ? 0.1 : 0.0});
   }
   return found;
 }

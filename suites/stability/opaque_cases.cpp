@@ -19,14 +19,12 @@ Found behindTheLight(const CaseContext& context) {
   Found found;
   Probe probe(context, std::move(scene), kOptions);
   for (uint32_t light = 0; light < probe.renderer().lightCount(); ++light) {
-    double lost = 0;
+    Compared lost;
     const VisibilityImage& image = probe.visibility(light)[0];
     for (size_t i = 0; i < image.size(); i += 4)
-      if (image[i + 3] > 0) lost = std::max(lost, 1 - double(image[i]));
-    found.curve.push_back({double(light), lost, 0});
+      if (image[i + 3] > 0) lost.worst(1 - double(image[i]));
+    found.curve.push_back({double(light), lost.value(), 0});
   }
-  // No such light touches the view: nothing to look up is right too.
-  if (found.curve.empty()) found.curve.push_back({0, 0, 0});
   return found;
 }
 
@@ -56,13 +54,14 @@ double wrongHalves(const CaseContext& context, double distance, double eye) {
   scene.cameras.push_back(camera);
   Probe probe(context, std::move(scene), kOptions);
   const VisibilityImage& image = probe.visibility()[0];
-  double wrong = 0;
+  Compared wrong;
   for (uint32_t y = 8; y < 56; ++y)
     for (uint32_t x = 0; x < 64; ++x) {
       if (x >= 28 && x < 36) continue;  // the shadow's edge
-      wrong += image[4 * (y * 64 + x)] != (x < 32 ? 0.0f : 1.0f);
+      const float* v = image.data() + 4 * (y * 64 + x);
+      wrong.count(v[3] == 0 || v[0] != (x < 32 ? 0.0f : 1.0f));
     }
-  return wrong;
+  return wrong.value();
 }
 
 Found hugeRange(const CaseContext& context) {

@@ -127,8 +127,10 @@ TruthDifference truthDifference(Probe& probe) {
       }
     }
   }
-  out.mean /= double(std::max<size_t>(1, out.compared));
-  out.badlyLitShare = double(badlyLit) / double(std::max<size_t>(1, out.compared));
+  // 0 / 0 where nothing was compared, which no tolerance allows.
+  out.mean /= double(out.compared);
+  out.badlyLitShare = double(badlyLit) / double(out.compared);
+  if (out.compared == 0) out.worst = out.mean;
   return out;
 }
 

@@ -1,6 +1,9 @@
 // One frame of a technique on a scene, and what cases compare of it.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "reports/picture.h"
 #include "suites/truth/truth.h"
 #include "techniques/common/registry.h"
@@ -59,12 +62,33 @@ class Probe {
   std::map<uint32_t, std::vector<VisibilityImage>> m_visibility;
 };
 
+/// What was found over compared values: the largest excess, or how many are wrong.
+class Compared {
+ public:
+  void worst(double excess) {
+    m_any = true;
+    // Not a number stays: std::max would lose it.
+    if (!(excess <= m_value)) m_value = excess;
+  }
+  void count(bool wrong) {
+    m_any = true;
+    m_value += wrong ? 1 : 0;
+  }
+  /// Not a number, which is within no tolerance, where nothing was compared.
+  double value() const { return m_any ? m_value : std::numeric_limits<double>::quiet_NaN(); }
+
+ private:
+  double m_value = 0;
+  bool m_any = false;
+};
+
 /// Largest difference of a channel, in 1/255.
 double pictureDifference(Probe& a, Probe& b);
 
 /// Visibility against the ray-traced truth over all lights and layers, at pixels away from the
 /// picture's edges. A value that the truth takes somewhere within the reach of the technique's
-/// lookups is no difference: there resolution alone decides.
+/// lookups is no difference: there resolution alone decides. All are not a number where no value
+/// was compared.
 struct TruthDifference {
   double worst = 0;          ///< largest difference of a channel
   double mean = 0;           ///< signed, lookups at edges included

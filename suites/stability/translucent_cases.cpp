@@ -167,11 +167,12 @@ Found sheetOnFloor(const CaseContext& context) {
     Probe probe(context, std::move(scene), kSingle);
     const VisibilityImage& image = probe.visibility()[0];
     const float* centre = image.data() + 4 * (64 * 128 + 64);
-    double mixed = 0;
+    Compared mixed;
     for (uint32_t y = 48; y < 80; ++y)
       for (uint32_t x = 48; x < 80; ++x)
-        mixed += std::abs(image[4 * (y * 128 + x)] - centre[0]) > 1e-3f;
-    found.curve.push_back({slant, mixed, 0});
+        if (image[4 * (y * 128 + x) + 3] != 0)
+          mixed.count(std::abs(image[4 * (y * 128 + x)] - centre[0]) > 1e-3f);
+    found.curve.push_back({slant, mixed.value(), 0});
   }
   return found;
 }

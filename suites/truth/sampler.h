@@ -20,6 +20,8 @@ class Sampler {
   /// Front to back; the last one is opaque if endsOpaque().
   const std::vector<Layer>& layers() const { return m_layers; }
   bool endsOpaque() const { return m_found.endsOpaque; }
+  /// Luminance that a light would send to the eye from a layer if nothing shadowed it.
+  float reflected(size_t layer, uint32_t light) const;
   /// Composited from back to front.
   glm::vec3 color() const;
   uint64_t rays() const { return m_rays; }

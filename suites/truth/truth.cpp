@@ -43,6 +43,7 @@ class Tracing {
     m_truth.width = scene.width();
     m_truth.height = scene.height();
     m_truth.visibility.assign(images, std::vector<float>(4 * pixels, 0.0f));
+    m_truth.reflected.assign(images, std::vector<float>(pixels, 0.0f));
     m_truth.edges.assign(images, std::vector<uint8_t>(pixels, 0));
     m_truth.surfaces.assign(kTruthLayers, std::vector<uint8_t>(pixels, 0));
     m_truth.image.assign(4 * pixels, 0.0f);
@@ -98,6 +99,7 @@ class Tracing {
         float* out = m_truth.visibility[size_t(l) * kTruthLayers + layer].data() + 4 * pixel;
         for (int c = 0; c < 3; ++c) out[c] = float(found.visible[l][c]);
         out[3] = 1;
+        m_truth.reflected[size_t(l) * kTruthLayers + layer][pixel] = centre.reflected(*index, l);
       }
     }
     for (int corner = 0; corner < 4; ++corner) {

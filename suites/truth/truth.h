@@ -28,6 +28,9 @@ struct Truth {
   /// Same index: 1 where a pixel lies within 2 px of a discontinuity of this layer or this
   /// visibility (the truth compared at five positions of a pixel).
   std::vector<std::vector<uint8_t>> edges;
+  /// Same index, one float a pixel: luminance that the light would send from there to the eye if
+  /// nothing shadowed it; 0 where nobody asks for visibility.
+  std::vector<std::vector<float>> reflected;
   /// Per layer: 1 where a surface is, 2 where that surface is translucent to the light.
   std::vector<std::vector<uint8_t>> surfaces;
   std::vector<float> image;         ///< linear RGBA, alpha 1

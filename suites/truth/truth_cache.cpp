@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever a truth of the same scene may come out differently.
-constexpr uint32_t kVersion = 2;
+constexpr uint32_t kVersion = 3;
 constexpr char kMagic[8] = {'s', 'b', 't', 'r', 'u', 't', 'h', '\n'};
 constexpr const char* kExtension = ".truth";
 
@@ -94,6 +94,7 @@ std::string payloadOf(const Truth& t) {
   out.list(t.imageEdges);
   out.lists(t.visibility);
   out.lists(t.edges);
+  out.lists(t.reflected);
   out.lists(t.surfaces);
   return out.take();
 }
@@ -106,8 +107,8 @@ bool parse(std::string_view payload, Truth& t) {
   const uint64_t pixels = uint64_t(t.width) * t.height;
   return in.list(t.image, 4 * pixels) && in.list(t.imageEdges, pixels) &&
          in.lists(t.visibility, 4 * pixels) && in.lists(t.edges, pixels) &&
-         in.lists(t.surfaces, pixels) && in.atEnd() && t.surfaces.size() == kTruthLayers &&
-         t.visibility.size() == t.edges.size() && t.visibility.size() % kTruthLayers == 0;
+         in.lists(t.reflected, pixels) && in.lists(t.surfaces, pixels) && in.atEnd() && t.surfaces.size() == kTruthLayers &&
+         t.visibility.size() == t.edges.size() && t.visibility.size() == t.reflected.size() && t.visibility.size() % kTruthLayers == 0;
 }
 
 std::string headerOf(const std::string& key, std::string_view payload) {

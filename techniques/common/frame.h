@@ -34,6 +34,9 @@ struct FrameResult {
   std::optional<double>
       deviceMs;  ///< between stamps around the whole frame, where they cost nothing
   std::optional<double> stampedMs;  ///< stamped frames: between the first and the last stamp
+  /// Why the stamps cannot be true, or "": they then span more than the wall time that held them,
+  /// as they do when the device's counter was reset within the frame. Their times stay empty.
+  std::string stampsBroken;
   rhi::Counters counters;
   std::vector<PassResult> passes;
 };
@@ -49,6 +52,8 @@ class FrameQueries {
   rhi::QueryPoolId stamps() const { return m_stamps; }
   rhi::QueryPoolId statistics() const { return m_statistics; }
   bool hasStatistics() const { return bool(m_statistics); }
+  /// Not every device has timestamps: frames are then measured by wall time alone.
+  bool hasStamps() const { return bool(m_stamps); }
 
  private:
   uint32_t m_capacity = 0;
@@ -86,6 +91,7 @@ class FrameRunner {
 
  private:
   FrameResult runOnce(FrameMode mode, const std::function<void(Frame&)>& record);
+  void readStamps(FrameMode mode, FrameResult& result) const;
 
   rhi::Device& m_device;
   FrameQueries& m_queries;

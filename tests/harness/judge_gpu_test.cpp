@@ -77,6 +77,19 @@ GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
   EXPECT_GT(r.visibility->all.bias, 0);
 }
 
+GPU_TEST(JudgeCells, WhatALightGrazesHardlyCountsByLight) {
+  // A cube whose front the light grazes: that face alone is wrong without shadows of its own.
+  Scene scene = floorScene();
+  scene.lights[0] = sun({0.02, -1, -0.001});
+  addBox(scene, 0, {-2, 0, -2}, {2, 2, 2});
+  addHorizontal(scene, 0, {0, 2.5f, 2.6f}, 2.2f, 0.55f);  // over the front's foot alone
+  scene.cameras[0] = lookAt({0, 1, 9}, {0, 1, 0}, 0.3, 40);
+  const report::Record r = judged(cellDevice(device()), scene, small("none"));
+  ASSERT_TRUE(r.visibility && r.visibility->weighted);
+  EXPECT_GT(r.visibility->all.rmse, 0.1);
+  EXPECT_LT(*r.visibility->weighted, r.visibility->all.rmse);
+}
+
 GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
   const Material pane = glass(0.8f, {0.9f, 0.3f, 0.3f});
   Scene scene = floorScene();
@@ -88,15 +101,47 @@ GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
         small("CSSM2", {{"kernel", i == 0 ? "3" : "9"}, {"size", "512"}}));
     ASSERT_TRUE(r.noise && r.certificate);
     EXPECT_EQ(r.noise->seeds, 16u);
-    EXPECT_TRUE(r.certificate->unbiased);
+    EXPECT_EQ(r.certificate->unbiased, true) << r.certificate->why;
     ASSERT_GE(r.certificate->regions.size(), 3u);
     EXPECT_GT(r.certificate->regions[0].trials, 1000u);
-    // One seed strays by noise; the mean of 16 by a quarter of it.
-    EXPECT_NEAR(r.noise->biasRmse / r.noise->noise, 0.25, 0.05);
-    EXPECT_GT(shareOf(r, "noise"), 0.8);
+    // What the mean of 16 seeds still strays is no bias.
+    EXPECT_LT(r.noise->biasRmse / r.noise->noise, 0.05);
+    EXPECT_LE(r.noise->biasLow, 0);
+    EXPECT_GE(r.noise->biasHigh, 0);
+    EXPECT_GT(shareOf(r, "noise"), 0.95);
     noise[i] = r.noise->noise;
   }
   EXPECT_NEAR(noise[0] / noise[1], 3, 0.4);
+}
+
+// Lookups that are no sums of equal independent draws are judged by their means over seeds.
+GPU_TEST(JudgeCells, EveryKindOfLookupGetsAVerdict) {
+  Scene scene = floorScene();
+  addHorizontal(scene, add(scene, glass(0.8f, {0.9f, 0.3f, 0.3f})), {0, 2, 0}, 5, 5);
+  const struct {
+    const char *technique, *knob, *value;
+    bool unbiased;
+  } kKinds[] = {
+      {"CSSM2", "noise", "texture", true},
+      {"CSSM2", "noise", "stratified", true},
+      {"CSSM2", "noise", "blue", true},
+      {"CSSM2", "shape", "tent", true},
+      {"CSSM1", "compare", "hardware", true},
+      // Where nine texels agree by chance they are believed.
+      {"CSSM2", "filter", "adaptive", false},
+      // 8 bits, and a number equal to p blocks: one level of 256 too many (-0.0020 at q = 0.92).
+      {"CSSM2", "noise", "source", false},
+  };
+  for (const auto& kind : kKinds) {
+    SCOPED_TRACE(std::string(kind.technique) + "/" + kind.knob + ":" + kind.value);
+    const report::Record r =
+        judged(cellDevice(device()), scene,
+               small(kind.technique, {{"kernel", "9"}, {"size", "512"}, {kind.knob, kind.value}}), 32);
+    ASSERT_TRUE(r.certificate);
+    EXPECT_EQ(r.certificate->test, "mean");
+    EXPECT_EQ(r.certificate->unbiased, kind.unbiased) << r.certificate->why;
+    EXPECT_GT(r.certificate->informative, 0u);
+  }
 }
 
 GPU_TEST(JudgeCells, ABiasedStochasticMapIsNotCertified) {
@@ -116,7 +161,7 @@ GPU_TEST(JudgeCells, ABiasedStochasticMapIsNotCertified) {
     cell.renderer().setSeed(seed);
     cell.renderer().frame();
     const auto layers = cell.renderer().readVisibility(0);
-    for (TrialRegion& r : regions) countTrials(r, layers[0], reach.trials);
+    for (TrialRegion& r : regions) addSeed(r, layers[0], reach.trials);
   }
-  EXPECT_FALSE(certificateOf(regions, {64, 64}).unbiased);
+  EXPECT_EQ(certificateOf(regions, {64, 64}).unbiased, false);
 }

@@ -13,6 +13,7 @@ struct One {
   uint8_t surface = 1;
   bool edge = false;   ///< the truth around is 0..1
   float variance = -1; ///< below 0: not stochastic
+  uint32_t seeds = 1u << 30;
 };
 
 std::map<std::string, double> blameOf(const One& one) {
@@ -22,6 +23,7 @@ std::map<std::string, double> blameOf(const One& one) {
   const std::vector<uint8_t> surfaces = {one.surface};
   BlameInput input{.measured = measured, .truth = truth, .surfaces = surfaces};
   if (one.variance >= 0) input.mean = measured, input.variance = variance;
+  input.seeds = one.seeds;
   input.truthAround = [&](uint32_t, uint32_t) {
     return one.edge ? ValueRange{{0, 0, 0}, {1, 1, 1}}
                     : ValueRange{{one.truth, one.truth, one.truth}, {one.truth, one.truth, one.truth}};
@@ -48,6 +50,30 @@ TEST(Blame, NoiseTakesTheVarianceAndTheMeanTheRest) {
   EXPECT_NEAR(shares["noise"], 0.75, 1e-6);
   EXPECT_NEAR(shares["resolution"], 0.25, 1e-6);
   EXPECT_EQ(blameOf({.variance = 0.5f})["noise"], 1);
+}
+
+TEST(Blame, WhatTheMeanOfFewSeedsStillVariesIsNoBias) {
+  // Errors of the mean that are those of chance: 4 seeds of variance 1 stray by 1/2.
+  auto shares = blameOf({.measured = 0.5f, .truth = 0, .variance = 1, .seeds = 4});
+  EXPECT_EQ(shares["noise"], 1);
+  EXPECT_EQ(shares["leaking"], 0);
+  // Over many pixels the excess of some and the lack of others cancel.
+  BlameSum sum(4, 1);
+  std::vector<float> mean, truth(16, 0.5f), variance(16, 0.04f);
+  for (const float error : {0.1f, -0.02f, 0.14f, -0.1f}) mean.insert(mean.end(), {0.5f + error, 0.5f + error, 0.5f + error, 1});
+  for (size_t p = 0; p < 4; ++p) truth[4 * p + 3] = 1;
+  const std::vector<uint8_t> surfaces(4, 1);
+  sum.add({.measured = mean,
+           .truth = truth,
+           .mean = mean,
+           .variance = variance,
+           .seeds = 4,
+           .surfaces = surfaces});
+  double noise = 0;
+  for (const auto& [cause, share] : sum.blame().shares)
+    if (cause == "noise") noise = share;
+  EXPECT_NEAR(noise, 0.04 / (0.04 + (0.01 + 0.0196 - 0.02) / 4), 1e-3)
+      << "leaking keeps what exceeds chance; the lack of self-shadowing does not count against it";
 }
 
 TEST(Blame, SharesOfSeveralLayersSumToOne) {

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
+#include "suites/metrics/certificate.h"
 
 namespace sb {
 namespace {
@@ -69,17 +72,82 @@ TEST(Binomial, CertaintiesAndLargeCounts) {
   EXPECT_NEAR(binomialPValue(uint64_t(5e8 + 4 * sigma), 1000000000, 0.5) / 6.334e-5, 1, 0.01);
 }
 
+report::RegionTest region(double q, double p, double error = 1e-4) {
+  return {.q = q, .trials = 1000000, .mean = q, .error = error, .pValue = p};
+}
+
 TEST(Certificate, BonferroniOverAllRegions) {
   report::Certificate c;
-  for (int i = 0; i < 10; ++i) c.regions.push_back({.pValue = 0.5});
+  for (int i = 0; i < 10; ++i) c.regions.push_back(region(0.5, 0.5));
   judge(c);
-  EXPECT_TRUE(c.unbiased);
+  EXPECT_EQ(c.unbiased, true);
+  EXPECT_EQ(c.informative, 10u);
   c.regions[3].pValue = 2e-7;
   judge(c);
-  EXPECT_TRUE(c.unbiased);
+  EXPECT_EQ(c.unbiased, true);
   c.regions[3].pValue = 0.9e-7;
   judge(c);
+  EXPECT_EQ(c.unbiased, false);
+}
+
+TEST(Certificate, WhereNothingWasTestedNothingIsKnown) {
+  report::Certificate c;
+  judge(c);
   EXPECT_FALSE(c.unbiased);
+  EXPECT_NE(c.why, "");
+  // Lit and dark regions alone: a technique that never blocks passes them.
+  c.regions = {region(1, 1), region(0, 1)};
+  judge(c);
+  EXPECT_FALSE(c.unbiased);
+  EXPECT_NE(c.why.find("chance"), std::string::npos) << c.why;
+  // They can still refute.
+  c.regions[0].pValue = 0;
+  judge(c);
+  EXPECT_EQ(c.unbiased, false);
+  // Draws enough to find 1 % with a probability of 0.99 at this level, and not quite enough: 5.45
+  // and 2.33 standard errors.
+  c.regions = {region(0.5, 0.5, 0.01 / 7.8)};
+  judge(c);
+  EXPECT_EQ(c.unbiased, true);
+  c.regions = {region(0.5, 0.5, 0.01 / 7.0)};
+  judge(c);
+  EXPECT_FALSE(c.unbiased);
+  EXPECT_NE(c.why.find("too few"), std::string::npos) << c.why;
+}
+
+TEST(Certificate, MeansAreTestedByHowSeedsScatter) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.01);
+  const auto test = [&](double q, double bias, size_t seeds) {
+    std::vector<double> means(seeds);
+    for (double& m : means) m = q + bias + noise(random);
+    report::RegionTest t{.q = q};
+    testMeans(t, means);
+    return t;
+  };
+  EXPECT_GT(test(0.5, 0, 64).pValue, 1e-4);
+  EXPECT_LT(test(0.5, 0.02, 64).pValue, 1e-9);
+  EXPECT_NEAR(test(0.5, 0, 64).error, 0.01 / 8, 4e-4);
+  // The p-value of the t distribution: t = 2 with 3 degrees of freedom has 0.1393.
+  report::RegionTest t{.q = 0};
+  std::vector<double> five = {0.3, 0.1, 0.5, 0.2, 0.4};  // mean 0.3, error 0.0707
+  testMeans(t, five);
+  EXPECT_NEAR(t.mean, 0.3, 1e-12);
+  EXPECT_NEAR(t.error, std::sqrt(0.1 / 20), 1e-12);
+  EXPECT_NEAR(t.pValue, 0.01324, 2e-4);  // t = 4.243 with 4 degrees of freedom
+}
+
+TEST(Certificate, SeedsThatAgreeDecideCertaintiesAlone) {
+  const std::vector<double> lit(8, 1.0), almost(8, 0.996);
+  report::RegionTest t{.q = 1};
+  testMeans(t, lit);
+  EXPECT_EQ(t.pValue, 1);
+  testMeans(t, almost);
+  EXPECT_EQ(t.pValue, 0);
+  t.q = 0.999;
+  testMeans(t, lit);
+  EXPECT_EQ(t.pValue, 1) << "no event in few draws refutes nothing";
+  EXPECT_EQ(t.error, 0) << "and informs about nothing";
 }
 
 TEST(UniformRegions, AreConnectedEqualAndOpen) {

@@ -142,11 +142,13 @@ def cell(technique, backend, scene, variant, ms, rmse, pictures, noisy=False):
                                 "low": value * 0.96, "high": value * 1.03, "n": 10})
     if noisy:
         entry["noise"] = {"seeds": 64, "noise": rmse * 0.7, "bias_rmse": rmse * 0.1,
-                          "bias": 1e-4, "rmse_low": rmse * 0.85, "rmse_high": rmse * 1.25}
+                          "bias": 1e-4, "bias_low": -1e-4, "bias_high": 3e-4, "rmse_low": rmse * 0.85, "rmse_high": rmse * 1.25}
         entry["certificate"] = {
-            "unbiased": backend == "vulkan", "family_wise_error": 1e-6,
+            "unbiased": backend == "vulkan", "test": "binomial", "family_wise_error": 1e-6,
+            "detectable": 0.01, "informative": 12,
             "regions": [{"light": 0, "layer": 0, "channel": i % 3, "x": 10 * i, "y": 20, "pixels": 300,
                          "q": 0.5, "trials": 19200, "passes": 9600 + 13 * i,
+                         "mean": (9600 + 13 * i) / 19200, "error": 0.0036,
                          "p_value": 1e-9 if backend != "vulkan" and i == 11 else 0.9 / (i + 1)}
                         for i in range(12)]}
     return iterations(name, ms) + [entry]

@@ -50,9 +50,12 @@ void addErrors(Record& r) {
                         .noise = 0.0625,
                         .biasRmse = 0.03125,
                         .bias = 0.015625,
+                        .biasLow = 0.0078125,
+                        .biasHigh = 0.0234375,
                         .rmseLow = 0.1,
                         .rmseHigh = 0.15};
   r.certificate = Certificate{.unbiased = true,
+                              .informative = 1,
                               .regions = {{.light = 0,
                                            .layer = 1,
                                            .channel = 2,
@@ -62,6 +65,8 @@ void addErrors(Record& r) {
                                            .q = 0.5,
                                            .trials = 1000,
                                            .passes = 510,
+                                           .mean = 0.51,
+                                           .error = 0.015625,
                                            .pValue = 0.5}}};
   r.blame = Blame{.mse = 0.015625,
                   .shares = {{"noise", 0.25},

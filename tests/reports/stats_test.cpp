@@ -50,6 +50,20 @@ TEST(Stats, MedianIntervalHasTheBinomialRanks) {
   }
 }
 
+TEST(Stats, MedianIntervalHoldsForManySamples) {
+  // Exact ranks by integer arithmetic (largest k with 40 sum_{i<k} C(n,i) <= 2^n).
+  const std::pair<int, int> kLowRank[] = {{1000, 469},   {1074, 505},    {1075, 505},
+                                          {1076, 506},   {2000, 956},    {10000, 4902},
+                                          {100000, 49690}, {1000000, 499020}};
+  for (const auto& [n, rank] : kLowRank) {
+    std::vector<double> values(static_cast<size_t>(n));
+    std::iota(values.begin(), values.end(), 1.0);
+    const Interval i = medianInterval(values);
+    EXPECT_EQ(i.low, rank) << n << " samples";
+    EXPECT_EQ(i.high, n + 1 - rank) << n << " samples";
+  }
+}
+
 TEST(Stats, FewSamplesGiveTheWholeRange) {
   for (int n = 1; n < 6; ++n) {
     EXPECT_EQ(medianInterval(oneTo(n)).low, 1);
@@ -86,6 +100,12 @@ std::vector<double> noisy(std::mt19937& random, size_t n, double centre) {
   std::lognormal_distribution<double> noise(0, 0.15);
   for (double& v : values) v = centre * noise(random);
   return values;
+}
+
+TEST(Stats, TheRatioIsTheQuotientOfTheMediansThatAreShown) {
+  // Pair by pair the middle is 3; the medians are 2 and 3.
+  const std::vector<double> a = {1, 2, 9}, b = {4, 0.5, 3};
+  EXPECT_EQ(pairedRatio(a, b).value, median(a) / median(b));
 }
 
 TEST(Stats, PairedRatioIsTheSameOnEveryCall) {
