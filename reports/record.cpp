@@ -1,12 +1,16 @@
 #include "reports/record.h"
 
+#include <sys/utsname.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <string_view>
 #include <thread>
+
+#include "base/number.h"
+#include "reports/build_facts.h"
 
 namespace report {
 
@@ -28,6 +32,22 @@ void refuse(Record& record, const std::string& reason) {
   record.blocks.clear();
 }
 
+namespace {
+
+/// "Debian GNU/Linux 12 (bookworm), Linux 6.1.0".
+std::string operatingSystem() {
+  std::string name;
+  std::ifstream release("/etc/os-release");
+  for (std::string line; std::getline(release, line);)
+    if (line.starts_with("PRETTY_NAME=")) name = line.substr(12);
+  std::erase(name, '"');
+  utsname kernel{};
+  if (uname(&kernel) != 0) return name;
+  return name + (name.empty() ? "" : ", ") + kernel.sysname + " " + kernel.release;
+}
+
+}  // namespace
+
 Run describeMachine(const std::string& executable, const std::string& version) {
   Run run;
   char text[256] = "";
@@ -46,11 +66,14 @@ Run describeMachine(const std::string& executable, const std::string& version) {
 #endif
   run.cpus = std::thread::hardware_concurrency();
   std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("cpu MHz")) {
-      run.cpuMHz = std::strtod(line.c_str() + line.find(':') + 1, nullptr);
-      break;
-    }
+  for (std::string line; std::getline(cpuinfo, line) && !line.empty();) {
+    const std::string value = line.substr(std::min(line.size(), line.find(':') + 2));
+    if (line.starts_with("cpu MHz")) run.cpuMHz = base::readNumber(value, {}).value_or(0);
+    if (line.starts_with("model name")) run.cpuModel = value;
+  }
+  run.commit = SHADOWBENCH_COMMIT;
+  run.compiler = SHADOWBENCH_COMPILER;
+  run.os = operatingSystem();
   std::string governor;
   std::ifstream("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor") >> governor;
   run.cpuScaling = !governor.empty() && governor != "performance";
