@@ -10,7 +10,7 @@ packages=(
   libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers vulkan-validationlayers
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
-  libembree-dev libtbb-dev libboost-dev
+  libembree-dev libtbb-dev libboost-dev libre2-dev
   libstb-dev libtinyexr-dev libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev
   libjs-vega # draws the report's plots
 )

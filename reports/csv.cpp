@@ -4,6 +4,9 @@
 #include <functional>
 #include <type_traits>
 
+#include "base/number.h"
+#include "base/text.h"
+
 namespace report {
 namespace {
 
@@ -13,8 +16,17 @@ std::string number(double value) {
   return text;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+/// Tables compute what begins like a formula: a text that does stands behind an apostrophe.
+/// Numbers stay as they are.
+std::string quoted(const std::string& raw) {
+  std::string text = raw;
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';  // a row is a line
+  text = base::printable(text);
+  const bool formula = !text.empty() && std::string_view("=+-@").find(text[0]) != text.npos &&
+                       !base::readNumber(text, {});
+  if (formula) text.insert(text.begin(), '\'');
+  if (!formula && text.find_first_of(",\"") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";
@@ -230,10 +242,10 @@ std::string toCsv(const Run& run) {
   static const std::vector<Column> columns = makeColumns();
   std::string out;
   for (size_t i = 0; i < columns.size(); ++i) out += (i ? "," : "") + columns[i].name;
-  out += "\n";
+  out += ",run_interrupted\n";
   for (const Record& r : run.records) {
     for (size_t i = 0; i < columns.size(); ++i) out += (i ? "," : "") + quoted(columns[i].value(r));
-    out += "\n";
+    out += run.interrupted ? ",true\n" : ",false\n";
   }
   return out;
 }

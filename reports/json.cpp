@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "reports/json_cell.h"
 #include "reports/json_error.h"
 #include "reports/json_figure.h"
 #include "reports/json_stability.h"
@@ -181,6 +182,12 @@ void appendCell(Json& list, const Record& r) {
 
 }  // namespace
 
+Json cellToJson(const Record& record) {
+  Json list = Json::array();
+  appendCell(list, record);
+  return list;
+}
+
 std::string toJson(const Run& run) {
   Json caches = Json::array();
   for (const Cache& c : run.caches)
@@ -197,15 +204,23 @@ std::string toJson(const Run& run) {
                   {"library_version", run.libraryVersion},
                   {"library_build_type", run.buildType},
                   {"json_schema_version", 1},
-                  {"command_line", run.commandLine},
                   {"shadowbench_version", run.version},
-                  {"warnings", run.warnings}};
+                  {"warnings", run.warnings},
+                  {"commit", run.commit},
+                  {"compiler", run.compiler},
+                  {"os", run.os},
+                  {"cpu_model", run.cpuModel},
+                  {"command_line", run.commandLine},
+                  {"interrupted", run.interrupted},
+                  {"cells_planned", run.cellsPlanned},
+                  {"cells_done", run.cellsDone}};
   Json benchmarks = Json::array();
   for (const Record& r : run.records) appendCell(benchmarks, r);
   Json out = {{"context", std::move(context)}, {"benchmarks", std::move(benchmarks)}};
   for (const StabilityRecord& r : run.stability) out["stability"].push_back(stabilityToJson(r));
   for (const Figure& f : run.figures) out["figures"].push_back(figureToJson(f, run));
-  return out.dump(2) + "\n";
+  // Names of files need not be UTF-8.
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace report

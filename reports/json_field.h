@@ -26,6 +26,7 @@ class Field {
   std::vector<Field> items() const;                            ///< of an array
   std::vector<std::pair<std::string, Field>> members() const;  ///< of an object, in order
 
+  bool isNull() const { return m_value->is_null(); }
   std::string text() const;
   bool boolean() const;
   double number() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reports/json_cell.h"
 #include "reports/json_field.h"
 #include "reports/json_figure.h"
 #include "reports/json_read_error.h"
@@ -200,8 +201,15 @@ Run readContext(const Field& c) {
           .version = c.at("shadowbench_version").text(),
           .buildType = textOf(c, "library_build_type"),
           .libraryVersion = textOf(c, "library_version"),
-          .commandLine = textOf(c, "command_line"),
           .warnings = textsOf(c, "warnings")};
+  run.commit = textOf(c, "commit");
+  run.compiler = textOf(c, "compiler");
+  run.os = textOf(c, "os");
+  run.cpuModel = textOf(c, "cpu_model");
+  run.commandLine = textOf(c, "command_line");
+  if (auto f = c.find("interrupted")) run.interrupted = f->boolean();
+  run.cellsPlanned = countOf(c, "cells_planned");
+  run.cellsDone = countOf(c, "cells_done");
   if (auto f = c.find("num_cpus")) run.cpus = f->integer<uint32_t>();
   run.cpuMHz = numberOf(c, "mhz_per_cpu").value_or(0);
   if (auto f = c.find("cpu_scaling_enabled")) run.cpuScaling = f->boolean();
@@ -225,6 +233,12 @@ std::string placeOf(const std::string& text, size_t byte) {
 }
 
 }  // namespace
+
+Record readCell(const Field& entries) {
+  std::vector<Record> records = readRecords(entries);
+  if (records.size() != 1) entries.refuse("the entries of one cell");
+  return std::move(records.front());
+}
 
 Run fromJson(const std::string& text, const std::string& fileName) {
   Json json;

@@ -1,12 +1,16 @@
 #include "reports/record.h"
 
+#include <sys/utsname.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <string_view>
 #include <thread>
+
+#include "base/number.h"
+#include "reports/build_facts.h"
 
 namespace report {
 
@@ -35,18 +39,16 @@ void refuse(Record& record, const std::string& reason) {
 
 namespace {
 
-/// Of this process, in words that a shell reads again.
-std::string commandLine() {
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::string line;
-  for (std::string word; std::getline(file, word, '\0');) {
-    const bool plain = !word.empty() && word.find_first_not_of(
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=+.,/:@%") == word.npos;
-    std::string quoted;
-    for (char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += (line.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
-  }
-  return line;
+/// "Debian GNU/Linux 12 (bookworm), Linux 6.1.0".
+std::string operatingSystem() {
+  std::string name;
+  std::ifstream release("/etc/os-release");
+  for (std::string line; std::getline(release, line);)
+    if (line.starts_with("PRETTY_NAME=")) name = line.substr(12);
+  std::erase(name, '"');
+  utsname kernel{};
+  if (uname(&kernel) != 0) return name;
+  return name + (name.empty() ? "" : ", ") + kernel.sysname + " " + kernel.release;
 }
 
 }  // namespace
@@ -61,7 +63,6 @@ Run describeMachine(const std::string& executable, const std::string& version) {
   run.date = text;
   if (gethostname(text, sizeof text) == 0) run.host = text;
   run.executable = executable;
-  run.commandLine = commandLine();
   run.version = version;
 #ifdef NDEBUG
   run.buildType = "release";
@@ -70,11 +71,14 @@ Run describeMachine(const std::string& executable, const std::string& version) {
 #endif
   run.cpus = std::thread::hardware_concurrency();
   std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("cpu MHz")) {
-      run.cpuMHz = std::strtod(line.c_str() + line.find(':') + 1, nullptr);
-      break;
-    }
+  for (std::string line; std::getline(cpuinfo, line) && !line.empty();) {
+    const std::string value = line.substr(std::min(line.size(), line.find(':') + 2));
+    if (line.starts_with("cpu MHz")) run.cpuMHz = base::readNumber(value, {}).value_or(0);
+    if (line.starts_with("model name")) run.cpuModel = value;
+  }
+  run.commit = SHADOWBENCH_COMMIT;
+  run.compiler = SHADOWBENCH_COMPILER;
+  run.os = operatingSystem();
   std::string governor;
   std::ifstream("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor") >> governor;
   run.cpuScaling = !governor.empty() && governor != "performance";

@@ -139,12 +139,19 @@ struct Run {
   std::string executable;
   std::string version;
   std::string buildType;  ///< "release" or "debug"
+  std::string commit;     ///< of the source, "-dirty" behind it when that was changed
+  std::string compiler;
+  std::string os;
+  std::string cpuModel;
+  std::string commandLine;
+  bool interrupted = false;    ///< not all that was planned is here
+  uint64_t cellsPlanned = 0;   ///< and hard cases
+  uint64_t cellsDone = 0;
   uint32_t cpus = 0;
   double cpuMHz = 0;
   bool cpuScaling = false;  ///< the governor may change the clock
   std::vector<Cache> caches;
   std::string libraryVersion;  ///< of Google Benchmark
-  std::string commandLine;     ///< that made the run
   std::vector<double> loadAverage;
   std::vector<std::string> warnings;  ///< of the run as a whole
   std::vector<Record> records;

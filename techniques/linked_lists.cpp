@@ -108,14 +108,15 @@ class LinkedLists final : public TransparencyTechnique {
     desc.constants.clear();
     const rhi::PipelineId pipeline = context.pipelines.get(desc);
     DrawList draws = camera.drawListWith({});
-    rhi::CommandList& commands = context.device.beginFrame();
+    rhi::FrameScope frame(context.device);
+    rhi::CommandList& commands = frame.commands();
     {
       rhi::PassScope pass =
           commands.beginPass({.label = "list fragments",
                               .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
       query.count(commands, [&] { draws.draw(commands, pipeline, camera.translucent()); });
     }
-    context.device.wait(context.device.endFrame());
+    frame.endAndWait();
     return query.take().front();
   }
 

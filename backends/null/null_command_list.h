@@ -10,6 +10,7 @@ class Device;
 class CommandList final : public rhi::CommandList {
  public:
   explicit CommandList(Device& device) : m_device(device) {}
+  void abandon() { m_pass.clear(); }
 
  private:
   void doBeginPass(const rhi::PassDesc& desc) override;

@@ -50,6 +50,7 @@ class Device final : public rhi::Device {
               std::span<std::byte> out) override;
   rhi::CommandList& doBeginFrame() override { return m_list; }
   rhi::Ticket doEndFrame() override { return ++m_ticket; }
+  void doAbandonFrame() override { m_list.abandon(); }
   void doWait(rhi::Ticket) override {}  // every frame is finished when it ends
   void doWaitIdle() override {}
   void doReadQueries(rhi::QueryPoolId pool, uint32_t first, uint32_t count,

@@ -114,11 +114,14 @@ void CommandList::doTimestamp(rhi::QueryPoolId pool, uint32_t index) {
 void CommandList::doBeginQuery(rhi::QueryPoolId pool, uint32_t index) {
   m_context.use();
   m_objects.queryPools.get(pool).begin(index);
+  m_query = pool;
+  m_queryIndex = index;
 }
 
 void CommandList::doEndQuery(rhi::QueryPoolId pool, uint32_t index) {
   m_context.use();
   m_objects.queryPools.get(pool).end(index);
+  m_query = {};
 }
 
 }  // namespace opengl

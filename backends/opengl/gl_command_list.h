@@ -33,6 +33,10 @@ class CommandList : public rhi::CommandList {
   void doBeginQuery(rhi::QueryPoolId pool, uint32_t index) override;
   void doEndQuery(rhi::QueryPoolId pool, uint32_t index) override;
 
+  friend class Device;
+  /// Closes the pass and the query that are open; nothing is resolved.
+  void abandon();
+
  private:
   struct Resolve {
     rhi::TextureView source, target;
@@ -50,6 +54,9 @@ class CommandList : public rhi::CommandList {
   std::vector<Resolve> m_resolves;
   std::vector<GLenum> m_discards;  ///< attachments whose contents may go at its end
   GLuint m_framebuffer = 0;
+  bool m_grouped = false;  ///< within a debug group
+  rhi::QueryPoolId m_query;  ///< open
+  uint32_t m_queryIndex = 0;
 };
 
 }  // namespace opengl

@@ -7,7 +7,7 @@ namespace opengl {
 
 Device::Device(std::unique_ptr<Context> context, rhi::DeviceInfo info, bool validate)
     : m_context(std::move(context)),
-      m_state(m_context->use(), m_objects),
+      m_state(m_context->use(), m_objects, info.limits),
       m_framebuffers(m_context->functions(), m_objects),
       m_barriers(m_context->functions()),
       m_commands(*m_context, m_objects, m_state, m_framebuffers, m_barriers) {
@@ -117,6 +117,13 @@ rhi::Ticket Device::doEndFrame() {
   m_inFlight.push_back({++m_lastTicket, gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
   gl.Flush();  // or a driver may sit on the frame until somebody waits for it
   return m_lastTicket;
+}
+
+// Commands were executed as they came: only what is open is closed.
+void Device::doAbandonFrame() {
+  m_context->use();
+  m_commands.abandon();
+  m_state.forgetBindings();
 }
 
 void Device::finishOldest() {

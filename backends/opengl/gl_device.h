@@ -40,6 +40,7 @@ class Device : public rhi::Device {
               std::span<std::byte> out) override;
   rhi::CommandList& doBeginFrame() override;
   rhi::Ticket doEndFrame() override;
+  void doAbandonFrame() override;
   void doWait(rhi::Ticket ticket) override;
   void doWaitIdle() override;
   void doReadQueries(rhi::QueryPoolId pool, uint32_t first, uint32_t count,

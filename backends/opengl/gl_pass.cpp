@@ -14,6 +14,7 @@ void CommandList::doBeginPass(const rhi::PassDesc& desc) {
   const FramebufferKey key = m_framebuffers.key(desc);
   m_framebuffer = desc.compute ? 0 : m_framebuffers.get(key);  // may throw: nothing is begun yet
   pushGroup(gl, desc.label);
+  m_grouped = true;
   m_barriers.beginPass(desc);
   if (desc.compute) return;
 
@@ -95,6 +96,20 @@ void CommandList::doEndPass() {
     gl.InvalidateNamedFramebufferData(m_framebuffer, GLsizei(m_discards.size()), m_discards.data());
   m_barriers.endPass();
   popGroup(gl);
+  m_grouped = false;
+}
+
+void CommandList::abandon() {
+  const Functions& gl = m_context.use();
+  if (m_query) m_objects.queryPools.get(m_query).end(m_queryIndex);
+  m_query = {};
+  if (m_grouped) {
+    m_barriers.endPass();
+    popGroup(gl);
+  }
+  m_grouped = false;
+  m_resolves.clear();
+  m_discards.clear();
 }
 
 }  // namespace opengl

@@ -4,7 +4,8 @@
 
 namespace opengl {
 
-State::State(const Functions& gl, Objects& objects) : m_gl(gl), m_objects(objects) {
+State::State(const Functions& gl, Objects& objects, const rhi::Limits& limits)
+    : m_gl(gl), m_objects(objects), m_limits(limits) {
   m_colorMask.fill(0xF);
   GLuint name = 0;
   gl.CreateVertexArrays(1, &name);

@@ -7,12 +7,13 @@
 #include <optional>
 
 #include "backends/opengl/gl_objects.h"
+#include "backends/rhi/device_info.h"
 
 namespace opengl {
 
 class State {
  public:
-  State(const Functions& gl, Objects& objects);
+  State(const Functions& gl, Objects& objects, const rhi::Limits& limits);
 
   /// After objects were deleted, perhaps within a pass: the driver has reset bindings behind our
   /// back. The framebuffer stays bound unless it is the one that went.
@@ -64,6 +65,7 @@ class State {
 
   const Functions& m_gl;
   Objects& m_objects;
+  const rhi::Limits m_limits;
   UniqueName m_vertexArray;
 
   rhi::Extent2D m_extent;

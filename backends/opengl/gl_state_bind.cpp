@@ -4,6 +4,7 @@
 
 #include "backends/opengl/gl_formats.h"
 #include "backends/opengl/gl_state.h"
+#include "backends/rhi/memory_limit.h"
 
 namespace opengl {
 
@@ -63,6 +64,8 @@ void State::bind(const rhi::Binding& b) {
   if (b.slot < rhi::kTextureSlotBase) {
     const bool uniform = b.slot < rhi::kStorageSlotBase;
     const Buffer& buffer = m_objects.buffers.get(b.buffer);
+    if (!uniform)
+      rhi::requireStorageRange(m_limits, buffer.desc().label, buffer.sizeFrom(b.offset, b.size));
     m_gl.BindBufferRange(uniform ? GL_UNIFORM_BUFFER : GL_SHADER_STORAGE_BUFFER,
                          b.slot - (uniform ? rhi::kUniformSlotBase : rhi::kStorageSlotBase),
                          buffer.name(), GLintptr(b.offset),

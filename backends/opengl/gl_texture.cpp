@@ -13,6 +13,9 @@ namespace {
 
 void destroyTexture(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
 
+/// Bytes: far below what a signed 32-bit size holds, so that tests reach it too.
+constexpr size_t kReadAtOnce = size_t(64) << 20;
+
 // OpenGL passes D24 as a normalised 32-bit integer. Repeating the high bits below makes the
 // conversion to 24 bits exact in both directions, whether the driver shifts or rounds.
 uint32_t widen24(uint32_t value) { return value << 8 | (value & 0xFFFFFF) >> 16; }
@@ -116,9 +119,17 @@ void Texture::read(const rhi::TextureRegion& region, rhi::Aspect aspect,
   assert(m_desc.samples == 1);
   FormatTriple f = formatTriple(m_desc.format);
   if (aspect == rhi::Aspect::Stencil) f = {f.internalFormat, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE};
-  m_gl->GetTextureSubImage(name(), GLint(region.mip), GLint(region.x), GLint(region.y),
-                           GLint(region.layer), GLsizei(region.width), GLsizei(region.height), 1,
-                           f.format, f.type, GLsizei(out.size()), out.data());
+  // Sizes are 32-bit and signed here: rows at a time, as many as fit.
+  const size_t row = out.size() / std::max(1u, region.height);
+  const uint32_t most = uint32_t(std::clamp<size_t>(kReadAtOnce / std::max<size_t>(1, row), 1,
+                                                    std::max(1u, region.height)));
+  for (uint32_t y = 0; y < region.height; y += most) {
+    const uint32_t rows = std::min(most, region.height - y);
+    const std::span<std::byte> part = out.subspan(y * row, rows * row);
+    m_gl->GetTextureSubImage(name(), GLint(region.mip), GLint(region.x), GLint(region.y + y),
+                             GLint(region.layer), GLsizei(region.width), GLsizei(rows), 1, f.format,
+                             f.type, GLsizei(part.size()), part.data());
+  }
   if (!isDepth24() || aspect == rhi::Aspect::Stencil) return;
   for (size_t i = 0; i + 4 <= out.size(); i += 4) {
     uint32_t value;

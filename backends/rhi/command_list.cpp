@@ -11,6 +11,10 @@ Counters operator-(const Counters& a, const Counters& b) {
           a.triangles - b.triangles};
 }
 
+PassScope::~PassScope() noexcept(false) {
+  if (std::uncaught_exceptions() == m_exceptions) end();
+}
+
 void PassScope::end() {
   if (auto* list = std::exchange(m_list, nullptr)) list->endPass();
 }

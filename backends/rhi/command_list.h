@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <span>
+#include <utility>
 
 #include "backends/rhi/desc.h"
 
@@ -26,13 +28,16 @@ Counters operator-(const Counters& a, const Counters& b);
 class [[nodiscard]] PassScope {
  public:
   explicit PassScope(CommandList* list) : m_list(list) {}
-  PassScope(PassScope&& other) noexcept : m_list(std::exchange(other.m_list, nullptr)) {}
+  PassScope(PassScope&& other) noexcept
+      : m_list(std::exchange(other.m_list, nullptr)), m_exceptions(other.m_exceptions) {}
   PassScope& operator=(PassScope&&) = delete;
-  ~PassScope() { end(); }
+  /// While an exception unwinds, the pass is left: its frame will be abandoned.
+  ~PassScope() noexcept(false);
   void end();
 
  private:
   CommandList* m_list;
+  int m_exceptions = std::uncaught_exceptions();
 };
 
 /// Owned by the device; valid between Device::beginFrame and Device::endFrame. Draws and dispatches

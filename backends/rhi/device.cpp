@@ -25,8 +25,9 @@ Buffer Device::createBuffer(const BufferDesc& desc) {
   BufferId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Buffer, id.value, desc.label, desc.size);
   bookHostMemory(m_info, int64_t(desc.size));
+  Buffer handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 Texture Device::createTexture(const TextureDesc& desc) {
@@ -35,39 +36,44 @@ Texture Device::createTexture(const TextureDesc& desc) {
   TextureId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Texture, id.value, desc.label, textureBytes(desc));
   bookHostMemory(m_info, int64_t(textureBytes(desc)));
+  Texture handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 Sampler Device::createSampler(const SamplerDesc& desc) {
   SamplerId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Sampler, id.value, desc.label, 0);
+  Sampler handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 Pipeline Device::createPipeline(const GraphicsPipelineDesc& desc) {
   assert(!desc.label.empty() && desc.vertex);
   PipelineId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Pipeline, id.value, desc.label, 0);
+  Pipeline handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 Pipeline Device::createPipeline(const ComputePipelineDesc& desc) {
   assert(!desc.label.empty() && desc.compute);
   PipelineId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::Pipeline, id.value, desc.label, 0);
+  Pipeline handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 QueryPool Device::createQueryPool(const QueryPoolDesc& desc) {
   assert(!desc.label.empty() && desc.count > 0);
   QueryPoolId id = doCreate(desc);
   m_ledger.add(Ledger::Kind::QueryPool, id.value, desc.label, 0);
+  QueryPool handle(this, id);  // first: an observer that throws leaves nothing behind
   if (m_observer) m_observer->created(id, desc);
-  return {this, id};
+  return handle;
 }
 
 void Device::destroy(BufferId id) {
@@ -158,8 +164,21 @@ CommandList& Device::beginFrame() {
 Ticket Device::endFrame() {
   assert(m_frame && !m_frame->inPass());
   if (m_observer) m_observer->endFrame();
+  const Ticket ticket = doEndFrame();  // may throw: then the frame is still there to be abandoned
   m_frame = nullptr;
-  return doEndFrame();
+  return ticket;
+}
+
+void Device::abandonFrame() noexcept {
+  if (!m_frame) return;
+  m_frame->m_inPass = false;
+  m_frame = nullptr;
+  try {
+    doAbandonFrame();
+    if (m_observer) m_observer->abandonFrame();
+  } catch (const std::exception& e) {
+    report({.source = "rhi", .rule = "abandonFrame", .text = e.what()});
+  }
 }
 
 void Device::wait(Ticket ticket) { doWait(ticket); }

@@ -83,6 +83,10 @@ class Device {
   /// One frame at a time. beginFrame waits until at most kFramesInFlight - 1 frames are unfinished.
   CommandList& beginFrame();
   Ticket endFrame();
+  /// Gives up the frame that is being recorded, wherever it stands: after an exception. What was
+  /// recorded is not executed, or (OpenGL executes at once) is finished in an orderly way; the next
+  /// frame starts as if this one had not been begun. Without a frame, does nothing.
+  void abandonFrame() noexcept;
   void wait(Ticket ticket);
   void waitIdle();
 
@@ -132,6 +136,7 @@ class Device {
                       std::span<std::byte> out) = 0;
   virtual CommandList& doBeginFrame() = 0;
   virtual Ticket doEndFrame() = 0;
+  virtual void doAbandonFrame() = 0;
   virtual void doWait(Ticket ticket) = 0;
   virtual void doWaitIdle() = 0;
   virtual void doReadQueries(QueryPoolId pool, uint32_t first, uint32_t count,
@@ -142,6 +147,30 @@ class Device {
   Observer* m_observer = nullptr;
   Ledger m_ledger;
   std::vector<Message> m_messages;
+};
+
+/// A frame that is abandoned unless it was ended.
+class FrameScope {
+ public:
+  explicit FrameScope(Device& device) : m_device(device), m_commands(device.beginFrame()) {}
+  FrameScope(const FrameScope&) = delete;
+  FrameScope& operator=(const FrameScope&) = delete;
+  ~FrameScope() {
+    if (!m_ended) m_device.abandonFrame();
+  }
+  CommandList& commands() const { return m_commands; }
+  Ticket end() {
+    const Ticket ticket = m_device.endFrame();
+    m_ended = true;
+    return ticket;
+  }
+  /// Until it is executed.
+  void endAndWait() { m_device.wait(end()); }
+
+ private:
+  Device& m_device;
+  CommandList& m_commands;
+  bool m_ended = false;
 };
 
 template <class Tag>
@@ -165,6 +194,8 @@ class Backend {
   virtual std::string_view name() const = 0;
   /// Throws Error when there is no loader or no driver, with the reason for people.
   virtual std::vector<DeviceInfo> enumerate() = 0;
+  /// Drivers that are installed and do not load, each with the reason.
+  virtual std::vector<std::string> troubles() { return {}; }
   virtual std::unique_ptr<Device> open(const DeviceRequest& request) = 0;
 };
 

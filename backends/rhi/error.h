@@ -28,6 +28,17 @@ class Error : public std::runtime_error {
   std::source_location m_where;
 };
 
+/// The device does nothing any more, whatever is asked of it.
+inline bool isDeviceLost(const Error& error) {
+  return error.code() == "VK_ERROR_DEVICE_LOST" || error.code() == "GL_CONTEXT_LOST";
+}
+/// What the device says it lacks: an expected absence that shows only in use.
+inline bool isDeclaredLack(const Error& error) {
+  return error.code() == "VK_ERROR_FORMAT_NOT_SUPPORTED" ||
+         error.code() == "VK_ERROR_FEATURE_NOT_PRESENT" ||
+         error.code() == "VK_ERROR_EXTENSION_NOT_PRESENT";
+}
+
 /// An expected absence: the thing asked for does not exist here, for this reason.
 struct Skip {
   std::string reason;

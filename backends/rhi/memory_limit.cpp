@@ -18,6 +18,7 @@ constexpr uint64_t kSmall = uint64_t(16) << 20;
 
 std::atomic<int64_t> g_booked = 0;
 std::optional<uint64_t> g_pretended;
+uint64_t g_limit = UINT64_MAX;
 
 uint64_t numberIn(const char* file) {
   std::ifstream in(file);
@@ -63,6 +64,7 @@ void requireMemory(const DeviceInfo& device, uint64_t live, const std::string& w
   const uint64_t now = freeHostMemory();
   const uint64_t held = uint64_t(std::max<int64_t>(0, g_booked));
   const uint64_t first = uint64_t(kShare * double(g_pretended ? *g_pretended : freeAtFirst));
+  if (held + bytes > g_limit) refuse(held, g_limit, "memory (--max-memory)");
   if (held + bytes > first) refuse(held, first, "free memory");
   if (bytes > uint64_t(kShare * double(now)))
     refuse(held, uint64_t(kShare * double(now)), "memory that is free now");
@@ -76,7 +78,7 @@ bool isTooLarge(const Error& error) {
 }
 
 std::string whyTooLarge(const Error& error) {
-  return "too large for this device: " +
+  return kTooLargeWords +
          (error.code() == kTooLarge ? error.detail() : std::string(error.what()));
 }
 
@@ -99,6 +101,26 @@ void requireFit(const DeviceInfo& device, uint64_t live, const TextureDesc& desc
 void requireFit(const DeviceInfo& device, uint64_t live, const BufferDesc& desc) {
   requireMemory(device, live, "'" + desc.label + "'", desc.size);
 }
+
+void requireStorageRange(const Limits& limits, const std::string& label, uint64_t bytes) {
+  const uint64_t range = limits.maxStorageRange;
+  if (range > 0 && bytes > range)
+    throw Error("bind", kTooLarge,
+                "'" + label + "' has " + mib(bytes) + ", expected at most the " + mib(range) +
+                    " that shaders of this device reach in a buffer");
+}
+
+uint64_t machineMemory() {
+  uint64_t total = UINT64_MAX;
+  std::ifstream info("/proc/meminfo");
+  for (std::string key; info >> key; info.ignore(256, '\n'))
+    if (uint64_t kib = 0; key == "MemTotal:" && info >> kib) total = kib * 1024;
+  return std::min(total, numberIn("/sys/fs/cgroup/memory.max"));
+}
+
+void limitHostMemory(uint64_t bytes) { g_limit = bytes; }
+
+uint64_t hostMemoryLimit() { return g_limit; }
 
 void bookHostMemory(const DeviceInfo& device, int64_t bytes) {
   if (device.type == DeviceType::Software) g_booked += bytes;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "backends/rhi/desc.h"
 #include "backends/rhi/device_info.h"
@@ -27,6 +28,19 @@ std::string whyTooLarge(const Error& error);
 /// device holds.
 void requireFit(const DeviceInfo& device, uint64_t live, const TextureDesc& desc);
 void requireFit(const DeviceInfo& device, uint64_t live, const BufferDesc& desc);
+
+/// Throws Error with kTooLarge when `bytes` of a buffer are more than a shader of the device
+/// reaches through one binding.
+void requireStorageRange(const Limits& limits, const std::string& label, uint64_t bytes);
+
+/// How the words of whyTooLarge() begin.
+inline constexpr const char* kTooLargeWords = "too large for this device: ";
+
+/// Memory of this machine, or of the container that it is; bytes.
+uint64_t machineMemory();
+/// What software devices may hold, all together, however much is free.
+void limitHostMemory(uint64_t bytes);
+uint64_t hostMemoryLimit();
 
 /// Bytes that software devices hold of the machine's memory, all together.
 void bookHostMemory(const DeviceInfo& device, int64_t bytes);

@@ -1,5 +1,6 @@
 // Watches what is asked of a device, before the backend sees it. Validation is one observer; tests
-// and tools may add others. An observer never changes what happens.
+// and tools may add others. An observer never changes what happens; one that
+// throws is as good as a driver that fails there.
 #pragma once
 
 #include "backends/rhi/desc.h"
@@ -24,6 +25,8 @@ class Observer {
 
   virtual void beginFrame() {}
   virtual void endFrame() {}
+  /// Instead of endFrame, wherever the frame stood: nothing of it is executed or counts.
+  virtual void abandonFrame() {}
   virtual void beginPass(const PassDesc&) {}
   virtual void endPass() {}
   virtual void draw(const DrawState&, const DrawArgs&) {}

@@ -2,6 +2,7 @@
 
 #include "backends/vulkan/vk_device.h"
 #include "backends/vulkan/vk_device_info.h"
+#include "backends/vulkan/vk_drivers.h"
 #include "backends/vulkan/vk_instance.h"
 
 namespace vulkan {
@@ -15,6 +16,8 @@ class Backend final : public rhi::Backend {
     Instance instance(false);
     return infos(describeDevices(instance));
   }
+
+  std::vector<std::string> troubles() override { return brokenDrivers(); }
 
   std::unique_ptr<rhi::Device> open(const rhi::DeviceRequest& request) override {
     auto instance = std::make_unique<Instance>(request.validate);

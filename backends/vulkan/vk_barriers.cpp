@@ -148,10 +148,12 @@ void Barriers::flush(VkCommandBuffer commands) {
   for (const Want& want : m_wants) {
     Scope scope;
     if (!want.texture) {
+      remember(*want.buffer);
       if (plan(want.buffer->state, want, false, scope)) append(want, scope, {});
       continue;
     }
     SubresourceState& state = want.texture->state(want.mip, want.layer);
+    remember(*want.texture, state);
     const VkImageLayout from = state.layout;
     const bool changes = from != want.layout;
     if (!plan(state, want, changes, scope)) continue;
@@ -175,6 +177,7 @@ void Barriers::initialise(VkCommandBuffer commands) {
                            VK_IMAGE_LAYOUT_UNDEFINED, texture->restLayout));
     for (SubresourceState& state : texture->states) state.layout = texture->restLayout;
   }
+  if (m_inFrame) m_initialised.insert(m_initialised.end(), m_new.begin(), m_new.end());
   m_new.clear();
   emit(commands, {}, {}, images);
 }
@@ -195,6 +198,7 @@ void Barriers::beginTransfer(VkCommandBuffer commands, Buffer* first, Buffer* se
   for (Buffer* buffer : {first, second})
     if (buffer) {
       m_touched.push_back(buffer);
+      remember(*buffer);
       buffer->state = {};
     }
 }
@@ -223,6 +227,7 @@ void Barriers::toTransfer(VkCommandBuffer commands, Texture& texture, const View
   m_images.clear();
   for (uint32_t mip = range.baseMip; mip < range.baseMip + range.mipCount; ++mip)
     for (uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layerCount; ++layer) {
+      remember(texture, texture.state(mip, layer));
       texture.state(mip, layer) = {};
       texture.state(mip, layer).layout = layout;
     }
@@ -236,6 +241,58 @@ void Barriers::toRest(VkCommandBuffer commands, Texture& texture, const ViewRang
   for (uint32_t mip = range.baseMip; mip < range.baseMip + range.mipCount; ++mip)
     for (uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layerCount; ++layer)
       texture.state(mip, layer).layout = texture.restLayout;
+}
+
+void Barriers::remember(Buffer& buffer) {
+  if (!m_inFrame) return;
+  m_changes.push_back({.buffer = &buffer});
+  static_cast<AccessState&>(m_changes.back().before) = buffer.state;
+}
+
+void Barriers::remember(Texture& texture, SubresourceState& part) {
+  if (m_inFrame) m_changes.push_back({.texture = &texture, .part = &part, .before = part});
+}
+
+void Barriers::forget(const Texture& texture) {
+  std::erase(m_new, &texture);
+  std::erase(m_initialised, &texture);
+  std::erase_if(m_changes, [&](const Change& c) { return c.texture == &texture; });
+}
+
+void Barriers::forget(const Buffer& buffer) {
+  std::erase(m_touched, &buffer);
+  std::erase_if(m_changes, [&](const Change& c) { return c.buffer == &buffer; });
+}
+
+void Barriers::beginFrame() {
+  m_inFrame = true;
+  m_changes.clear();
+  m_initialised.clear();
+}
+
+void Barriers::endFrame() { m_inFrame = false; }
+
+void Barriers::abandonFrame() {
+  m_inFrame = false;
+  for (auto change = m_changes.rbegin(); change != m_changes.rend(); ++change) {
+    if (change->buffer)
+      change->buffer->state = change->before;
+    else
+      *change->part = change->before;
+  }
+  // Their layouts were set after they were made in this frame: they are as new as before.
+  for (Texture* texture : m_initialised) {
+    for (SubresourceState& state : texture->states) state = {};
+    m_new.push_back(texture);
+  }
+  m_changes.clear();
+  m_initialised.clear();
+  m_wants.clear();
+  m_buffers.clear();
+  m_images.clear();
+  m_touched.clear();
+  m_transferring = false;
+  ++m_batch;
 }
 
 void Barriers::full(VkCommandBuffer commands) {

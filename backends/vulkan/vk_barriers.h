@@ -15,7 +15,14 @@ class Barriers {
 
   /// A new image: comes to its rest layout before the next commands.
   void created(Texture& texture) { m_new.push_back(&texture); }
-  void forget(const Texture& texture) { std::erase(m_new, &texture); }
+  void forget(const Texture& texture);
+  void forget(const Buffer& buffer);
+
+  /// States that a frame changes are as they were before when it is abandoned: nothing of what was
+  /// recorded has happened.
+  void beginFrame();
+  void endFrame();
+  void abandonFrame();
 
   void want(Buffer& buffer, VkPipelineStageFlags2 stages, VkAccessFlags2 access, bool write);
   /// With `discard` the old contents may be lost.
@@ -72,6 +79,19 @@ class Barriers {
   std::vector<VkImageMemoryBarrier2> m_images;
   uint32_t m_batch = 1;
   bool m_transferring = false;
+
+  /// What a frame has changed, in order; of parts of images and of buffers.
+  struct Change {
+    Buffer* buffer = nullptr;
+    Texture* texture = nullptr;
+    SubresourceState* part = nullptr;
+    SubresourceState before;
+  };
+  void remember(Buffer& buffer);
+  void remember(Texture& texture, SubresourceState& part);
+  bool m_inFrame = false;
+  std::vector<Change> m_changes;
+  std::vector<Texture*> m_initialised;  // in this frame
   std::vector<const Buffer*> m_touched;  // since the last barrier within the run
 };
 

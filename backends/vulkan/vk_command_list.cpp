@@ -11,6 +11,7 @@ void CommandList::begin() {
   m_graphics = {};
   m_compute = {};
   m_raster = {};
+  m_rendering = false;
 }
 
 void CommandList::end() { m_device.barriers().endTransfers(m_commands); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "backends/rhi/memory_limit.h"
 #include "backends/vulkan/vk_device.h"
 #include "backends/vulkan/vk_formats.h"
 
@@ -63,7 +64,12 @@ VkDescriptorSet Descriptors::get(const PipelineLayout& layout, const Table& tabl
   auto it = m_sets.find(m_key);
   if (it == m_sets.end()) {
     const Entry entry = allocate(layout);
-    write(entry.set, layout, table);
+    try {
+      write(entry.set, layout, table);
+    } catch (...) {
+      release(entry);
+      throw;
+    }
     it = m_sets.emplace(m_key, entry).first;
   }
   it->second.lastFrame = m_frame;
@@ -128,6 +134,7 @@ void Descriptors::write(VkDescriptorSet set, const PipelineLayout& layout, const
       const uint64_t size = isUniform(type)             ? uniformRange(b)
                             : b.size == rhi::kWholeSize ? buffer.desc.size - b.offset
                                                         : b.size;
+      if (!isUniform(type)) rhi::requireStorageRange(m_device.info().limits, buffer.desc.label, size);
       buffers[count] = {buffer.handle, offset, size};
     }
     writes[count] = {

@@ -60,6 +60,7 @@ rhi::QueryPoolId Device::doCreate(const rhi::QueryPoolDesc& desc) {
 }
 
 void Device::doDestroy(rhi::BufferId id) {
+  m_barriers.forget(m_buffers.get(id));
   m_descriptors.forget(id);
   m_queue.defer(
       [this, buffer = m_buffers.remove(id)] { destroyBuffer(m_context, m_memory, buffer); });
@@ -93,6 +94,7 @@ void Device::doDestroy(rhi::QueryPoolId id) {
 
 rhi::CommandList& Device::doBeginFrame() {
   m_queue.beginFrame();
+  m_barriers.beginFrame();
   m_list->begin();
   return *m_list;
 }
@@ -100,8 +102,14 @@ rhi::CommandList& Device::doBeginFrame() {
 rhi::Ticket Device::doEndFrame() {
   m_list->end();
   const rhi::Ticket ticket = m_queue.endFrame();
+  m_barriers.endFrame();
   m_descriptors.endFrame();
   return ticket;
+}
+
+void Device::doAbandonFrame() {
+  m_queue.abandonFrame();
+  m_barriers.abandonFrame();
 }
 
 void Device::doWait(rhi::Ticket ticket) { m_queue.wait(ticket); }

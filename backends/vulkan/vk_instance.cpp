@@ -1,6 +1,8 @@
 #define VOLK_IMPLEMENTATION
 #include "backends/vulkan/vk_instance.h"
 
+#include "backends/vulkan/vk_drivers.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -74,7 +76,7 @@ Instance::Instance(bool validate) : m_validate(validate) {
   };
   const VkResult result = vkCreateInstance(&info, nullptr, &m_instance);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-    check(result, "vkCreateInstance", "no Vulkan driver is installed");
+    check(result, "vkCreateInstance", whyNoDriver());
   check(result, "vkCreateInstance");
   // Instance-level pointers are the loader's trampolines: several instances can share them.
   volkLoadInstanceOnly(m_instance);

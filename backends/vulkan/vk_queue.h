@@ -22,6 +22,8 @@ class Queue {
   /// Waits until a frame's storage is free and begins recording it.
   void beginFrame();
   rhi::Ticket endFrame();
+  /// What was recorded is thrown away when the frame's storage is used again.
+  void abandonFrame() { m_recording = false; }
   /// Of the frame under construction. `prologue` runs before `commands`: query resets, which must
   /// not stand inside a pass, go there.
   VkCommandBuffer commands() const { return m_frames[m_current].commands; }

@@ -1,9 +1,10 @@
 #include "reports/figures/cells.h"
 
 #include <algorithm>
-#include <regex>
 #include <set>
+#include <stdexcept>
 
+#include "base/pattern.h"
 #include "reports/figures/measure.h"
 #include "reports/record_view.h"
 
@@ -27,8 +28,8 @@ std::string whyLacking(const std::string& name, const FigureSide& side, const Ru
 
 bool matchesRegex(const std::string& regex, const std::string& name) {
   try {
-    return std::regex_search(name, std::regex(regex));
-  } catch (const std::regex_error&) {
+    return base::Pattern::regex(regex).found(name);
+  } catch (const std::invalid_argument&) {
     return false;  // of a file from elsewhere: nothing matches
   }
 }

@@ -1,10 +1,11 @@
 #include "reports/figures/measure.h"
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 
+#include "base/number.h"
+#include "base/pattern.h"
 #include "reports/record_view.h"
 
 namespace report {
@@ -23,17 +24,6 @@ std::optional<double> medianOf(const std::optional<Distribution>& d) {
   return d ? std::optional(d->median) : std::nullopt;
 }
 
-/// "*" at either end stands for anything.
-bool matches(std::string_view glob, std::string_view text) {
-  const bool open = glob.starts_with('*'), close = glob.ends_with('*');
-  if (open) glob.remove_prefix(1);
-  if (close && !glob.empty()) glob.remove_suffix(1);
-  return open && close ? text.find(glob) != text.npos
-         : open        ? text.ends_with(glob)
-         : close       ? text.starts_with(glob)
-                       : text == glob;
-}
-
 const RegionError* regionOf(const Record& r, const std::string& name) {
   const auto found = std::ranges::find(r.visibilityRegions, name, &RegionError::region);
   return found == r.visibilityRegions.end() ? nullptr : &*found;
@@ -41,8 +31,9 @@ const RegionError* regionOf(const Record& r, const std::string& name) {
 
 std::optional<double> passesOf(const Record& r, const std::string& glob, bool draws) {
   double sum = 0;
+  const base::Pattern wanted = base::Pattern::glob(glob);
   for (const PassRecord& p : r.passes)
-    if (matches(glob, p.label)) sum += double(draws ? p.draws : p.count);
+    if (wanted.found(p.label)) sum += double(draws ? p.draws : p.count);
   return r.passes.empty() ? std::nullopt : std::optional(sum);
 }
 
@@ -74,8 +65,9 @@ const std::map<std::string, Measure>& measures() {
         [](R r, A a) -> std::optional<double> {
           if (a.empty()) return double(r.bytes);
           double sum = 0;
+          const base::Pattern wanted = base::Pattern::glob(a);
           for (const auto& [label, bytes] : r.bytesByLabel)
-            if (matches(a, label)) sum += double(bytes);
+            if (wanted.found(label)) sum += double(bytes);
           return sum;
         }}},
       {"visibility",
@@ -184,9 +176,7 @@ double xOf(const Figure& figure, const Record& record) {
     text = record.scene.substr(place.value, place.end - place.value);
   else if (const auto knob = record.knobs.find(figure.x); knob != record.knobs.end())
     text = knob->second;
-  double value = figure.xFallback;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+  return base::readNumber(text, {}).value_or(figure.xFallback);
 }
 
 std::string sceneWithoutX(const Figure& figure, const Record& record) {

@@ -42,6 +42,10 @@ std::string title(const Run& run) {
 
 }  // namespace
 
+std::filesystem::path journalBeside(const std::filesystem::path& json) {
+  return std::filesystem::path(json).replace_extension(".journal");
+}
+
 std::filesystem::path picturesBeside(const std::filesystem::path& json) {
   std::filesystem::path out = json;
   return out.replace_extension(".pictures");

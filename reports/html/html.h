@@ -31,6 +31,8 @@ struct HtmlSettings {
 /// Where a run that was written to `json` has its pictures: "a/results.json" has
 /// "a/results.pictures".
 std::filesystem::path picturesBeside(const std::filesystem::path& json);
+/// Where a run that writes results `json` keeps what it has found so far.
+std::filesystem::path journalBeside(const std::filesystem::path& json);
 
 /// A picture that is missing, or whose name in the run is no hash, is a note in the page.
 std::string toHtml(const Run& run, const HtmlSettings& settings);

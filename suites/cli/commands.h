@@ -20,10 +20,8 @@ int truthCommand(const Options& options);
 int cacheCommand(const Options& options);
 int reportCommand(const Options& options);
 
-/// The HTML page of a run, whole or not there. A picture that is missing in `pictures` (<hash>.png)
-/// is a note in the page. Throws std::runtime_error when the file cannot be written.
-void writeReport(const report::Run& run, const std::string& htmlFile,
-                 const std::filesystem::path& pictures);
+/// The HTML page of a run. A picture that is missing in `pictures` (<hash>.png) is a note in it.
+std::string reportPage(const report::Run& run, const std::filesystem::path& pictures);
 
 /// Backends and shaders that commands share.
 struct Platform {

@@ -4,10 +4,16 @@
 #include <algorithm>
 
 #include "suites/cli/commands.h"
+#include "suites/cli/say.h"
 #include "techniques/common/error.h"
 
 namespace sb {
 namespace {
+
+template <class... Args>
+void out(fmt::format_string<Args...> format, Args&&... args) {
+  print(fmt::format(format, std::forward<Args>(args)...));
+}
 
 std::string listOf(const std::vector<uint32_t>& values) {
   std::string out;
@@ -16,12 +22,12 @@ std::string listOf(const std::vector<uint32_t>& values) {
 }
 
 void printDevice(const rhi::DeviceInfo& d) {
-  fmt::print("  [{}] {} ({})\n", d.index, d.name, rhi::deviceTypeName(d.type));
-  if (!d.unusable.empty()) fmt::print("      UNUSABLE: {}\n", d.unusable);
-  fmt::print("      driver {} {}, API {}", d.driver, d.driverVersion, d.apiVersion);
-  if (d.memoryBytes > 0) fmt::print(", memory {:.1f} GiB", double(d.memoryBytes) / (1 << 30));
+  out("  [{}] {} ({})\n", d.index, d.name, rhi::deviceTypeName(d.type));
+  if (!d.unusable.empty()) out("      UNUSABLE: {}\n", d.unusable);
+  out("      driver {} {}, API {}", d.driver, d.driverVersion, d.apiVersion);
+  if (d.memoryBytes > 0) out(", memory {:.1f} GiB", double(d.memoryBytes) / (1 << 30));
   const rhi::Limits& l = d.limits;
-  fmt::print(
+  out(
       "\n      textures {}^2 x {} layers, {}^3; {} colour attachments; samples {}; storage range "
       "{} "
       "MiB; sub-pixel bits {}\n      timestamps: {} bits, {} ns\n",
@@ -33,7 +39,7 @@ void printDevice(const rhi::DeviceInfo& d) {
     std::string& list = d.features.contains(rhi::Feature(f)) ? have : lack;
     list += (list.empty() ? "" : ", ") + std::string(rhi::featureName(rhi::Feature(f)));
   }
-  fmt::print("      has: {}\n      lacks: {}\n", have, lack);
+  out("      has: {}\n      lacks: {}\n", have, lack);
 }
 
 }  // namespace
@@ -44,28 +50,29 @@ int doctorCommand(const Options& options) {
                   {.selector = options.device, .validate = options.validate});
   int working = 0;
   for (rhi::Backend* backend : platform.backends()) {
-    fmt::print("{}\n", backend->name());
+    out("{}\n", backend->name());
+    for (const std::string& trouble : backend->troubles()) out("  WARNING: {}\n", trouble);
     std::fflush(stdout);
     try {
       for (const rhi::DeviceInfo& d : backend->enumerate()) printDevice(d);
     } catch (const rhi::Error& e) {
-      fmt::print("  not available: {}\n", e.what());
+      out("  not available: {}\n", e.what());
       continue;
     }
     DeviceSession* session = devices.open(std::string(backend->name()));
     if (!session) {
-      fmt::print("  does not start: {}\n", devices.why(std::string(backend->name())));
+      out("  does not start: {}\n", devices.why(std::string(backend->name())));
       continue;
     }
     ++working;
-    fmt::print("  timers of {}:\n", session->device->info().name);
+    out("  timers of {}:\n", session->device->info().name);
     for (const TimerFact& fact : Devices::timersOf(*session))
-      fmt::print("      {} {}: {}\n", fact.trusted ? "ok       " : "UNTRUSTED", fact.name,
+      out("      {} {}: {}\n", fact.trusted ? "ok       " : "UNTRUSTED", fact.name,
                  fact.finding);
   }
   if (const std::string why = devices.whyNoSuchDevice(); !why.empty())
     throw InputError("--device", why);
-  if (working == 0) fmt::print("No backend works on this machine.\n");
+  if (working == 0) out("No backend works on this machine.\n");
   return working > 0 ? 0 : 1;
 }
 

@@ -1,106 +1,138 @@
-// Measuring: selection, groups, progress, tables and files. Ctrl-C stops after the frame under way;
-// what is finished is written.
-#include <unistd.h>
-
-#include <atomic>
-#include <csignal>
+// Measuring: groups, hard cases, progress, tables and files. What is found is kept in a journal at
+// once; an interrupt stops after the block under way, and what is finished is written.
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <set>
 
+#include "backends/rhi/memory_limit.h"
 #include "reports/console.h"
 #include "reports/console_figures.h"
 #include "reports/console_stability.h"
 #include "reports/console_tradeoff.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/help.h"
+#include "suites/cli/interrupt.h"
+#include "suites/cli/memory.h"
 #include "suites/cli/outputs.h"
 #include "suites/cli/progress.h"
+#include "suites/cli/run_plan.h"
+#include "suites/cli/say.h"
+#include "suites/cli/session.h"
 #include "suites/cli/stability_runs.h"
-#include "suites/harness/group.h"
-#include "suites/harness/suite.h"
 #include "suites/scenes/procedural.h"
-#include "suites/truth/truth_cache.h"
 #include "techniques/common/error.h"
 
 namespace sb {
 namespace {
 
-std::atomic<bool> g_interrupted = false;
-volatile std::sig_atomic_t g_signal = 0;
-
-void onInterrupt(int signal) {
-  // A second Ctrl-C ends the program at once.
-  if (g_interrupted.exchange(true)) _exit(128 + signal);
-  g_signal = signal;
-}
-
-bool isQuick(const Options& options) {
-  const Selection& s = options.selection;
-  return options.suite.empty() && s.techniques.empty() && s.backends.empty() && s.scenes.empty() &&
-         s.sets.empty() && s.edits.empty() && s.filter.empty() && !s.size;
-}
-
 /// Opens the devices of all cells. Cells of backends that do not start go, with a warning that says
 /// why, unless the backend was asked for by name: then their records say so.
-void openBackends(const Options& options, Devices& devices, std::vector<CellId>& cells,
-                  report::Run& run) {
+void openBackends(const Options& options, Devices& devices, RunPlan& plan, report::Run& run) {
   std::set<std::string> names, broken;
-  for (const CellId& cell : cells) names.insert(cell.backend);
+  for (const CellId& cell : plan.cells) names.insert(cell.backend);
+  for (const StabilityJob& job : plan.jobs) names.insert(job.backend);
   names.erase(kReferenceBackend);
   for (const std::string& name : names)
     if (!devices.open(name)) {
       broken.insert(name);
       run.warnings.push_back("backend " + name + " does not start: " + devices.why(name));
-      std::fprintf(stderr, "bench: %s\n", run.warnings.back().c_str());
+      say(run.warnings.back());
     }
   if (const std::string why = devices.whyNoSuchDevice(); !why.empty())
     throw InputError("--device", why);
   if (options.selection.backends.empty())
-    std::erase_if(cells, [&](const CellId& cell) { return broken.contains(cell.backend); });
+    std::erase_if(plan.cells, [&](const CellId& cell) { return broken.contains(cell.backend); });
 }
 
 /// Reads files before anything is measured: an error in the last one should not cost minutes.
-void checkScenes(const std::vector<CellId>& cells, report::Run& run) {
+void checkScenes(const RunPlan& plan, report::Run& run) {
   std::set<std::string> seen;
-  for (const CellId& cell : cells) {
+  for (const CellId& cell : plan.cells) {
+    const std::string size = std::to_string(cell.width) + "x" + std::to_string(cell.height);
+    if (!seen.insert(cell.scene + " " + size).second) continue;
+    const Scene scene = makeScene(cell.scene);
+    requireMemory(scene, {cell.width, cell.height}, plan.settings.judge.enabled);
     if (!seen.insert(cell.scene).second) continue;
-    for (const std::string& warning : makeScene(cell.scene).warnings)
+    for (const std::string& warning : scene.warnings)
       run.warnings.push_back("scene " + cell.scene + ": " + warning);
   }
 }
 
-MeasureSettings settingsOf(const Options& options, bool quick) {
-  MeasureSettings s;
-  s.budgetSeconds = options.budgetSeconds.value_or(quick ? 0.7 : 3);
-  s.budgetSeconds = std::max(s.budgetSeconds, options.benchmark.minSeconds);
-  s.stop.precision = options.precisionPercent.value_or(5) / 100;
-  // A minimum of time is a wish for more than precision alone would give.
-  if (options.benchmark.minSeconds > 0) s.stop.precision = 0;
-  s.stop.repetitions = options.benchmark.repetitions;
-  s.interrupted = &g_interrupted;
-  s.judge.enabled = options.truth;
-  s.judge.seeds = options.seeds.value_or(quick ? 8 : s.judge.seeds);
-  if (options.cache) s.judge.cache = truthCacheFolder();
-  s.judge.interrupted = &g_interrupted;
-  return s;
+/// What is finished, by name; in the order of the plan when it is told.
+struct Results {
+  std::map<std::string, report::Record> cells;
+  std::map<std::string, report::StabilityRecord> hardCases;
+  size_t count() const { return cells.size() + hardCases.size(); }
+  void tell(const RunPlan& plan, report::Run& run) const {
+    for (const CellId& id : plan.cells)
+      if (auto found = cells.find(cellName(id)); found != cells.end())
+        run.records.push_back(found->second);
+    for (const StabilityJob& job : plan.jobs)
+      if (auto found = hardCases.find(jobName(job)); found != hardCases.end())
+        run.stability.push_back(found->second);
+    run.cellsPlanned = plan.size();
+    run.cellsDone = run.records.size() + run.stability.size();
+    run.interrupted = run.cellsDone < run.cellsPlanned;
+  }
+};
+
+/// A cell that an earlier part of the run finished, measured again beside others: what it lacks of
+/// comparisons comes from there.
+void completeRatios(report::Record& kept, const report::Record& again) {
+  if (kept.status != report::Status::Ok || again.status != report::Status::Ok) return;
+  if (kept.ratios.empty()) kept.ratios = again.ratios;
+  if (!kept.ratios.empty()) kept.why.erase("ratios");
 }
 
-/// Measures group by group and writes the files after each.
-void measureAll(const Options& options, const std::vector<CellId>& cells, Devices& devices,
-                bool quick, Outputs& outputs, report::Run& run) {
+void measureAll(const Options& options, RunPlan& plan, Devices& devices, Session& session,
+                Outputs& outputs, Results& found) {
   Progress progress(!options.quiet);
-  const auto groups = groupCells(cells);
-  for (size_t g = 0; g < groups.size() && !g_interrupted; ++g) {
-    MeasureSettings settings = settingsOf(options, quick);
+  const auto groups = groupsLeft(groupCells(plan.cells), session.earlier());
+  MeasureSettings settings = plan.settings;
+  settings.interrupted = &interrupted();
+  settings.judge.interrupted = &interrupted();
+  settings.earlierBlocks = &session.earlier().blocks;
+  settings.onBlock = [&](const std::string& cell, const SampleBlock& block) {
+    session.journal().block(cell, block);
+  };
+  settings.onVerified = [&](const CellResult& result) {
+    outputs.addPictures(result.files);
+    session.journal().cell(result.record);
+  };
+  for (size_t g = 0; g < groups.size() && !interrupted(); ++g) {
     settings.progress = [&](const std::string& what, double done) {
       progress.update(groups[g].front().scene, what, (double(g) + done) / double(groups.size()));
     };
     for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION)) {
-      if (result.id.companion) continue;
-      run.records.push_back(std::move(result.record));
+      const std::string name = cellName(result.id);
+      if (result.id.companion) {
+        if (auto kept = found.cells.find(name); kept != found.cells.end())
+          completeRatios(kept->second, result.record);
+        continue;
+      }
       outputs.addPictures(result.files);
+      session.journal().cell(result.record);
+      found.cells.insert_or_assign(name, std::move(result.record));
     }
-    outputs.write(run, false);
   }
+}
+
+void runHardCases(const Options& options, const RunPlan& plan, Devices& devices, Session& session,
+                  Results& found) {
+  std::vector<StabilityJob> left;
+  for (const StabilityJob& job : plan.jobs)
+    if (!found.hardCases.contains(jobName(job))) left.push_back(job);
+  Progress progress(!options.quiet);
+  runStability(
+      left, devices, interrupted(),
+      [&](const StabilityJob& job, size_t done) {
+        progress.update("hard cases", jobName(job), double(done) / double(left.size()));
+      },
+      [&](const StabilityJob& job, const report::StabilityRecord& record) {
+        session.journal().hardCase(record);
+        found.hardCases.insert_or_assign(jobName(job), record);
+      });
 }
 
 /// Some technique was measured with different knobs on one scene: there is accuracy to choose.
@@ -112,14 +144,23 @@ bool isSweep(const report::Run& run) {
   return false;
 }
 
-/// `asked`: cells and hard cases.
-int exitCode(const report::Run& run, size_t asked) {
-  if (g_interrupted) {
-    std::fprintf(stderr, "bench: interrupted; %zu of %zu cells are finished\n",
-                 run.records.size() + run.stability.size(), asked);
-    return 128 + g_signal;
+void printTables(const Options& options, const report::Run& run) {
+  // With a format of the library's on the console, standard output is the library's alone.
+  if (options.benchmark.display) return;
+  if (!run.records.empty()) {
+    print(report::toTable(run));
+    if (isSweep(run)) print("\n" + report::toTable(report::tradeOffs(run)));
   }
+  print(report::figuresText(run) + report::toTable(run.stability));
+}
+
+bool isSkipForMemory(const report::Record& r) {
+  return r.status == report::Status::Skipped && r.reason.starts_with(rhi::kTooLargeWords);
+}
+
+int exitCode(const Options& options, const report::Run& run) {
   bool anyOk = false, anyFailed = false;
+  size_t skips = 0;
   for (const report::StabilityRecord& r : run.stability) {
     anyOk |= r.verdict != report::Verdict::Skipped;
     anyFailed |= r.verdict == report::Verdict::Fail;
@@ -127,66 +168,71 @@ int exitCode(const report::Run& run, size_t asked) {
   for (const report::Record& r : run.records) {
     anyOk |= r.status == report::Status::Ok;
     anyFailed |= r.status == report::Status::Failed;
+    skips += isSkipForMemory(r);
   }
-  if (!anyOk) std::fprintf(stderr, "bench: no cell could be measured\n");
-  return anyFailed || !anyOk ? 1 : 0;
+  if (!anyOk) say("no cell could be measured");
+  if (skips > 0 && !options.allowSkips)
+    say(std::to_string(skips) + " cells were skipped for want of memory (--allow-skips)");
+  return anyFailed || !anyOk || (skips > 0 && !options.allowSkips) ? 1 : 0;
 }
 
 }  // namespace
 
 int measureCommand(const Options& given) {
-  Options options = given;
+  const Options options = resolveResume(given);
+  limitMemory(options);
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});
-  report::Run run = report::describeMachine("bench", SHADOWBENCH_VERSION);
-  describeLibrary(run);
-  Selection selection = options.selection;
-  const bool quick = isQuick(options);
-  if (quick) selection.size = {256, 256};
-
-  std::vector<CellId> cells;
-  std::vector<StabilityJob> jobs;
-  if (options.suite.empty()) {
-    cells = selectCells(selection, platform.names(), defaultBackends(options));
-  } else {
-    const Suite suite = loadSuite(options.suite);
-    cells = suiteCells(suite, selection, platform.names(), defaultBackends(options));
-    run.figures = suiteFigures(suite, selection, platform.names(), defaultBackends(options));
-    jobs = stabilityJobs(suite, selection, defaultBackends(options));
-    if (cells.empty() && jobs.empty())
-      throw InputError("--filter", "'" + selection.filter + "' matches nothing of the suite");
-    if (!options.seeds) options.seeds = suite.seeds;
-    if (!options.budgetSeconds) options.budgetSeconds = suite.budgetSeconds;
-    if (!options.precisionPercent) options.precisionPercent = suite.precisionPercent;
-  }
+  RunPlan plan = planRun(options, platform.names());
   if (options.list) {
-    for (const CellId& cell : cells) std::printf("%s\n", cellName(cell).c_str());
-    for (const StabilityJob& job : jobs) std::printf("%s\n", jobName(job).c_str());
+    for (const CellId& cell : plan.cells) print(cellName(cell) + "\n");
+    for (const StabilityJob& job : plan.jobs) print(jobName(job) + "\n");
     return 0;
   }
+  report::Run run = report::describeMachine("bench", SHADOWBENCH_VERSION);
+  describeLibrary(run);
+  run.commandLine = commandLine(options.arguments);
+  run.figures = plan.figures;
   Outputs outputs(options);
-  checkScenes(cells, run);
-  openBackends(options, devices, cells, run);
-  const size_t asked = cells.size() + jobs.size();
+  checkScenes(plan, run);
+  openBackends(options, devices, plan, run);
+  // Begun when all else has been found right.
+  Session session(options, describeRun(options, plan.settings, plan.cells, plan.jobs, devices, run));
+  const std::filesystem::path pictures = picturesOf(options, session.journal().path());
+  outputs.keepPictures(pictures);
+  watchInterrupts();
+  note(describePlan(plan, run) + "; journal " + session.journal().path().string());
 
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
-  measureAll(options, cells, devices, quick, outputs, run);
-  Progress progress(!options.quiet);
-  runStability(jobs, devices, run, g_interrupted, [&](const StabilityJob& job, size_t done) {
-    progress.update("hard cases", jobName(job), double(done) / double(jobs.size()));
-  });
-  outputs.write(run, true);
-  // With a format of the library's on the console, standard output is the library's alone.
-  if (!options.benchmark.display && !run.records.empty()) {
-    std::printf("%s", report::toTable(run).c_str());
-    if (isSweep(run)) std::printf("\n%s", report::toTable(report::tradeOffs(run)).c_str());
+  Results found{.cells = session.earlier().cells, .hardCases = session.earlier().hardCases};
+  if (session.isResumed())
+    say("going on: " + std::to_string(found.count()) + " of " + std::to_string(plan.size()) +
+        " are finished");
+  measureAll(options, plan, devices, session, outputs, found);
+  runHardCases(options, plan, devices, session, found);
+  found.tell(plan, run);
+  if (run.interrupted)
+    run.warnings.push_back("interrupted: " + std::to_string(run.cellsDone) + " of " +
+                           std::to_string(run.cellsPlanned) + " cells are finished");
+  printTables(options, run);
+  // An earlier run's results give way to results alone.
+  bool written = run.cellsDone == 0 || outputs.write(run);
+  if (run.cellsDone > 0)
+    written &= outputs.writeText("--benchmark_out", options.benchmark.outFile,
+                                 runBenchmarks(options.benchmark, run.records));
+  if (!session.journal().failure().empty())
+    say("warning: the journal could not be written: " + session.journal().failure());
+  const bool arrived = printed();
+  if (!arrived) say("standard output: writing failed");
+  if (run.interrupted && interrupted()) {
+    say("interrupted; " + std::to_string(run.cellsDone) + " of " +
+        std::to_string(run.cellsPlanned) + " cells are finished; to go on: bench --resume " +
+        session.journal().path().string());
+    return interruptExitCode();
   }
-  if (!options.benchmark.display)
-    std::printf("%s%s", report::figuresText(run).c_str(), report::toTable(run.stability).c_str());
-  runBenchmarks(options.benchmark, run.records);
-  return exitCode(run, asked);
+  if (written && arrived) session.finish(pictures);
+  const int code = exitCode(options, run);
+  return written && arrived ? code : std::max(code, 1);
 }
 
 }  // namespace sb

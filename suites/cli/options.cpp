@@ -1,85 +1,63 @@
 #include "suites/cli/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <algorithm>
 
+#include "base/number.h"
+#include "suites/cli/help.h"
+#include "suites/cli/output_files.h"
 #include "suites/harness/suite.h"
-#include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
-#include "techniques/common/registry.h"
 
 namespace sb {
 namespace {
 
-std::string rangeText(const KnobInfo& k) {
-  if (k.choices.empty()) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%g..%g%s%s", k.min, k.max, k.odd ? ", odd" : "",
-                  k.unit.empty() ? "" : (" " + k.unit).c_str());
-    return text;
-  }
-  std::string out;
-  for (const std::string& c : k.choices) out += (out.empty() ? "" : "|") + c;
-  return out;
-}
+constexpr base::NumberRule kSeed{.low = 0, .high = UINT32_MAX, .whole = true};
+constexpr base::NumberRule kExposure{.low = 0, .high = 1e9, .above = true};
 
-void describe(std::string& out, const TechniqueInfo& info) {
-  out += "  " + info.name + ": " + info.title + " (" + info.paper + ")\n";
-  for (const KnobInfo& k : info.knobs)
-    out += "      " + k.name + "=" + rangeText(k) + "  [" + k.fallback + "]  " + k.help + "\n";
-}
-
-std::string footer() {
-  std::string out = "Techniques and their knobs (--set knob=value[,value...]):\n";
-  for (const auto* t : shadowTechniques()) describe(out, t->info);
-  out += "Camera transparency (--technique NAME+TRANSPARENCY; NAME alone means NAME+Sorted):\n";
-  for (const auto* t : transparencyTechniques()) describe(out, t->info);
-  out += "Scenes (--scene NAME:param=value,... or a .gltf or .glb file):\n";
-  for (const SceneInfo& s : proceduralScenes()) {
-    out += "  " + s.name + ": " + s.help + "\n";
-    for (const SceneParam& p : s.params)
-      out += "      " + p.name + "  [" + p.fallbackText() + "]  " + p.help + "\n";
-  }
-  out +=
-      "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at "
-      "its\n"
-      "default is left out. --filter matches anywhere in the name.\n"
-      "Google Benchmark's own --benchmark_* flags work too.\n"
-      "Exit code: 0 all cells ok or skipped, 1 a cell failed or none was measured, 2 wrong input,\n"
-      "130 interrupted (what is finished is written).\n";
-  return out;
-}
-
-std::string joinedNames(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
-  return out;
-}
-
-std::pair<uint32_t, uint32_t> parseSize(const std::string& text) {
-  unsigned width = 0, height = 0;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%ux%u%n", &width, &height, &used) != 2 ||
-      size_t(used) != text.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
-    throw InputError("--size", "found '" + text + "', expected WIDTHxHEIGHT, each 1..16384");
-  return {width, height};
-}
-
-/// CLI11's own check prints the largest double.
-void addPositive(CLI::App& app, const std::string& name, std::optional<double>& value,
-                 const std::string& help, const std::string& type) {
-  app.add_option_function<std::string>(
-         name,
-         [&value, name](const std::string& text) {
-           char* end = nullptr;
-           value = std::strtod(text.c_str(), &end);
-           if (text.empty() || *end || !(*value > 0) || !std::isfinite(*value))
-             throw InputError(name, "found '" + text + "', expected a number above 0");
-         },
-         help)
+/// Calls `set` with an option's number. CLI11's own conversions wrap, and take "nan".
+CLI::Option* addNumber(CLI::App& app, const std::string& name, const base::NumberRule& rule,
+                       const std::function<void(double)>& set, const std::string& help,
+                       const std::string& type) {
+  const std::string shown = name.substr(0, name.find(','));
+  return app
+      .add_option_function<std::string>(
+          name,
+          [rule, set, shown](const std::string& text) {
+            const auto value = base::readNumber(text, rule);
+            if (!value)
+              throw InputError(shown,
+                               "found '" + text + "', expected " + base::describe(rule));
+            set(*value);
+          },
+          help)
       ->type_name(type);
+}
+
+void addSize(CLI::App& app, Options& o) {
+  app.add_option_function<std::string>(
+         "--size",
+         [&o](const std::string& text) {
+           o.selection.size = base::readSize(text);
+           if (!o.selection.size)
+             throw InputError("--size",
+                              "found '" + text + "', expected " + std::string(base::kSizeForm));
+         },
+         "of the picture [512x512]")
+      ->type_name("WxH");
+}
+
+void addExposure(CLI::App& app, Options& o) {
+  addNumber(
+      app, "--exposure", kExposure, [&o](double v) { o.exposure = float(v); },
+      "factor on linear values before the PNG [1]", "FACTOR");
+}
+
+void addMaxMemory(CLI::App& app, Options& o) {
+  addNumber(
+      app, "--max-memory", {.low = 0, .high = 1e9, .above = true},
+      [&o](double mib) { o.maxMemory = uint64_t(mib * (1 << 20)); },
+      "what scenes, pictures, truths and software devices may take [half of the machine's]", "MIB");
 }
 
 /// Options before a command's name are the measuring ones: with a command they would be lost.
@@ -92,10 +70,10 @@ void refuseStray(const CLI::App& app) {
 }
 
 /// Options that choose a scene, its changes and its size.
-void addScene(CLI::App& app, Options& o, std::string& size) {
+void addScene(CLI::App& app, Options& o) {
   app.add_option("--scene", o.selection.scenes, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
       ->type_name("SCENE");
-  app.add_option("--size", size, "of the picture [512x512]")->type_name("WxH");
+  addSize(app, o);
   app.add_option("--set-material", o.selection.edits,
                  "other optics for materials by glob, in all scenes: 'fabric*:alpha=0.5,t=0.9,0.3,"
                  "0.3'")
@@ -116,8 +94,8 @@ void addScene(CLI::App& app, Options& o, std::string& size) {
 }
 
 /// Options that choose cells: the same for measuring and for `render`.
-void addSelection(CLI::App& app, Options& o, std::string& size) {
-  addScene(app, o, size);
+void addSelection(CLI::App& app, Options& o) {
+  addScene(app, o);
   app.add_option("--technique", o.selection.techniques,
                  "technique, or TECHNIQUE+TRANSPARENCY; repeat or separate by commas")
       ->delimiter(',')
@@ -127,7 +105,9 @@ void addSelection(CLI::App& app, Options& o, std::string& size) {
       ->type_name("NAME");
   app.add_option("--set", o.selection.sets, "knob=value; several values make a sweep")
       ->type_name("KNOB=V1[,V2...]");
-  app.add_option("--seed", o.selection.seed, "of random numbers [0]")->type_name("N");
+  addNumber(
+      app, "--seed", kSeed, [&o](double v) { o.selection.seed = uint32_t(v); },
+      "of random numbers [0]", "N");
 }
 
 void addCommon(CLI::App& app, Options& o) {
@@ -142,6 +122,7 @@ void addCommon(CLI::App& app, Options& o) {
   app.add_flag("--validate", o.validate,
                "switch on the drivers' validation and our own (slower; results are marked)");
   app.add_flag("--quiet", o.quiet, "no progress line");
+  addMaxMemory(app, o);
 }
 
 CLI::App* addReport(CLI::App& app, Options& o) {
@@ -156,27 +137,28 @@ CLI::App* addReport(CLI::App& app, Options& o) {
 
 }  // namespace
 
-std::optional<Options> parseOptions(int argc, char** argv) {
+std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   Options o;
-  std::vector<std::string> arguments(argv + 1, argv + argc);
+  o.arguments = arguments;
   o.benchmark = takeBenchmarkFlags(arguments);
 
   CLI::App app{
       "ShadowBench measures techniques for shadows and transparency: what each costs in time and\n"
       "memory on your scene, your GPU and your API, with the picture verified within the run.\n"
-      "Without arguments: a quick suite of all techniques on all working backends."};
+      "Without arguments: the suite `quick` of all techniques on all working backends."};
   app.name("bench");
-  app.set_version_flag("--version", SHADOWBENCH_VERSION);
-  app.footer(footer);
-  std::string size;
-  addSelection(app, o, size);
+  app.set_version_flag("--version", versionText());
+  app.footer(helpFooter);
+  addSelection(app, o);
   addCommon(app, o);
   app.add_option("--filter", o.selection.filter, "only cells whose name matches")
       ->type_name("REGEX");
-  addPositive(app, "--budget", o.budgetSeconds, "seconds to measure each cell at most [3; quick 1]",
-              "SECONDS");
-  addPositive(app, "--precision", o.precisionPercent,
-              "stop when the 95 % interval of the median is within so much [5]", "PERCENT");
+  addNumber(
+      app, "--budget", kBudgetSeconds, [&o](double v) { o.budgetSeconds = v; },
+      "seconds to measure each cell at most [3; of a suite: its own]", "SECONDS");
+  addNumber(
+      app, "--precision", kPrecisionPercent, [&o](double v) { o.precisionPercent = v; },
+      "stop when the 95 % interval of the median is within so much [5]", "PERCENT");
   app.add_option("--json", o.jsonFile, "write all results (Google Benchmark's schema)")
       ->type_name("FILE");
   app.add_option("--csv", o.csvFile, "write one row a cell")->type_name("FILE");
@@ -185,24 +167,36 @@ std::optional<Options> parseOptions(int argc, char** argv) {
   app.add_option("--suite", o.suite,
                  "measure the cells of a suite: " + joinedNames(builtinSuites()) + ", or a file")
       ->type_name("NAME|FILE.toml");
-  app.add_option("--seeds", o.seeds,
-                 "seeds that noise and bias of stochastic techniques are taken over [64; quick 8]")
-      ->check(CLI::Range(1u, 65536u))
-      ->type_name("N");
+  addNumber(
+      app, "--seeds", kSeedCount, [&o](double v) { o.seeds = uint32_t(v); },
+      "seeds that noise and bias of stochastic techniques are taken over [64; of a suite: its own]",
+      "N");
+  app.add_option_function<std::string>(
+         "--resume",
+         [&o](const std::string& file) {
+           o.resume = true;
+           o.resumeFile = file == "beside --json" ? "" : file;
+         },
+         "go on with a run that ended early: its journal, or its results; without a file the "
+         "journal beside --json. Alone, it takes the arguments of that run")
+      ->expected(0, 1)
+      ->default_str("beside --json")
+      ->type_name("[FILE]");
+  app.add_flag("--allow-skips", o.allowSkips,
+               "exit with 0 although cells were skipped for want of memory");
   app.add_flag("!--no-truth", o.truth, "no errors: nothing is ray-traced");
   app.add_flag("!--no-cache", o.cache, "trace truths anew, and keep none");
   app.add_flag("--list", o.list, "print the names of the cells and stop");
 
   CLI::App* render = app.add_subcommand("render", "write the picture of one cell as PNG and EXR");
-  std::string renderSize;
-  addSelection(*render, o, renderSize);
+  addSelection(*render, o);
   addCommon(*render, o);
   render->add_option("--output,-o", o.outputPrefix, "path without extension [render]")
       ->type_name("PREFIX");
   render->add_flag(
       "--visibility", o.visibility,
       "also the visibility buffer: per light, the first opaque surface and four layers");
-  render->add_option("--exposure", o.exposure, "factor on linear values before the PNG [1]");
+  addExposure(*render, o);
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
   scene->add_option("scene", o.sceneName, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
@@ -213,11 +207,11 @@ std::optional<Options> parseOptions(int argc, char** argv) {
 
   CLI::App* truth =
       app.add_subcommand("truth", "write the ray-traced truth of a scene as PNG and EXR");
-  std::string truthSize;
-  addScene(*truth, o, truthSize);
+  addScene(*truth, o);
+  addMaxMemory(*truth, o);
   truth->add_option("--output,-o", o.outputPrefix, "path without extension [truth]")
       ->type_name("PREFIX");
-  truth->add_option("--exposure", o.exposure, "factor on linear values before the PNG [1]");
+  addExposure(*truth, o);
   truth->add_flag("!--no-cache", o.cache, "trace anew, and keep nothing");
   truth->add_flag("--quiet", o.quiet, "no progress line");
   CLI::App* cache = app.add_subcommand("cache", "say how many truths are kept on disk, and where");
@@ -255,9 +249,6 @@ std::optional<Options> parseOptions(int argc, char** argv) {
                             o.selection.sets.empty() && o.selection.edits.empty()))
     throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
                                 "itself");
-  if (!size.empty()) o.selection.size = parseSize(size);
-  for (const std::string& text : {renderSize, truthSize})
-    if (!text.empty()) o.selection.size = parseSize(text);
   if (!o.benchmark.filter.empty()) {
     if (!o.selection.filter.empty())
       throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");
@@ -265,6 +256,7 @@ std::optional<Options> parseOptions(int argc, char** argv) {
     o.selection.filterExcludes = o.benchmark.filterExcludes;
   }
   o.list |= o.benchmark.list;
+  requireSaneFiles(app, o);
   return o;
 }
 

@@ -13,6 +13,7 @@ namespace sb {
 enum class Command : uint8_t { Measure, Render, Scene, Doctor, Truth, Cache, Report };
 
 struct Options {
+  std::vector<std::string> arguments;  ///< as given
   Command command = Command::Measure;
   Selection selection;
   BenchmarkFlags benchmark;
@@ -27,6 +28,10 @@ struct Options {
   std::optional<uint32_t> seeds;
   bool truth = true;
   bool cache = true;
+  bool resume = false;
+  std::string resumeFile;  ///< a journal or results; "": beside `jsonFile`
+  bool allowSkips = false;
+  std::optional<uint64_t> maxMemory;  ///< bytes
   bool list = false;
   bool validate = false;
   bool quiet = false;
@@ -47,6 +52,6 @@ struct Options {
 
 /// Throws InputError for wrong arguments. When help or the version was asked for, prints it and
 /// gives nothing.
-std::optional<Options> parseOptions(int argc, char** argv);
+std::optional<Options> parseOptions(std::vector<std::string> arguments);
 
 }  // namespace sb

@@ -7,46 +7,83 @@
 #include "reports/html/html.h"
 #include "reports/json.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/output_files.h"
+#include "suites/cli/say.h"
+#include "techniques/common/error.h"
 
 namespace sb {
 
 namespace fs = std::filesystem;
 
-Outputs::Outputs(const Options& options) : m_options(options) {
-  if (!options.jsonFile.empty()) requireWritable("--json", options.jsonFile);
-  if (!options.csvFile.empty()) requireWritable("--csv", options.csvFile);
-  if (!options.htmlFile.empty()) requireWritable("--html", options.htmlFile);
-  if (!options.benchmark.outFile.empty())
-    requireWritable("--benchmark_out", options.benchmark.outFile);
-  if (!options.jsonFile.empty() && !report::isSpecialFile(options.jsonFile)) {
-    m_pictures = report::picturesBeside(options.jsonFile);
-  } else if (!options.htmlFile.empty()) {
-    m_pictures = fs::temp_directory_path() / ("shadowbench-" + std::to_string(getpid()));
-    m_ownsFolder = true;
-  }
+fs::path picturesOf(const Options& options, const fs::path& journal) {
+  if (!options.jsonFile.empty() && !report::isSpecialFile(options.jsonFile))
+    return report::picturesBeside(options.jsonFile);
+  return options.htmlFile.empty() ? fs::path() : report::picturesBeside(journal);
 }
 
-Outputs::~Outputs() {
+Outputs::Outputs(const Options& options) : m_options(options) {
+  for (const auto& [option, path] : outputFiles(options)) requireWritable(option, path);
   std::error_code error;
-  if (m_ownsFolder) fs::remove_all(m_pictures, error);
+  const fs::path folder = options.jsonFile.empty() ? fs::path() : picturesOf(options, "");
+  if (folder.empty() || !fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error))
+    throw InputError("--json", "found a file " + folder.string() +
+                                   ", expected the folder of its pictures, or nothing");
+  if (const std::string why = report::whyNotWritable(folder / "x.png"); !why.empty())
+    throw InputError("--json", "cannot write into " + folder.string() + ": " + why);
 }
 
 void Outputs::addPictures(const PictureFiles& files) {
   if (m_pictures.empty() || files.empty()) return;
-  fs::create_directories(m_pictures);
-  for (const auto& [hash, png] : files) {
-    const fs::path path = m_pictures / (hash + ".png");
-    if (!fs::exists(path)) report::writeAtomically(path, png);
+  try {
+    fs::create_directories(m_pictures);
+    for (const auto& [hash, png] : files) {
+      const fs::path path = m_pictures / (hash + ".png");
+      if (!fs::exists(path)) report::writeAtomically(path, png);
+    }
+  } catch (const std::exception& e) {
+    if (m_lostPictures.empty()) say(std::string("warning: pictures are lost: ") + e.what());
+    m_lostPictures = e.what();
   }
 }
 
-void Outputs::write(const report::Run& run, bool finished) {
-  auto due = [&](const std::string& path) {
-    return !path.empty() && (finished || !report::isSpecialFile(path));
+bool Outputs::writeText(const std::string& option, const std::string& path,
+                        const std::string& content) {
+  if (path.empty()) return true;
+  try {
+    report::writeAtomically(path, content);
+    return true;
+  } catch (const std::exception& e) {
+    say(option + ": " + e.what());
+  }
+  const fs::path aside =
+      fs::temp_directory_path() /
+      ("shadowbench-" + std::to_string(getpid()) + "-" + fs::path(path).filename().string());
+  try {
+    report::writeAtomically(aside, content);
+    say(option + ": the results are in " + aside.string() + " instead");
+  } catch (const std::exception& e) {
+    say(option + ": nor " + e.what());
+  }
+  return false;
+}
+
+bool Outputs::write(const report::Run& run) {
+  bool all = m_lostPictures.empty();
+  // Making a page from pictures may fail too.
+  auto put = [&](const std::string& option, const std::string& path, auto make) {
+    if (path.empty()) return;
+    try {
+      all &= writeText(option, path, make());
+    } catch (const std::exception& e) {
+      say(option + ": " + e.what());
+      all = false;
+    }
   };
-  if (due(m_options.jsonFile)) report::writeAtomically(m_options.jsonFile, report::toJson(run));
-  if (due(m_options.csvFile)) report::writeAtomically(m_options.csvFile, report::toCsv(run));
-  if (finished && !m_options.htmlFile.empty()) writeReport(run, m_options.htmlFile, m_pictures);
+  put("--json", m_options.jsonFile, [&] { return report::toJson(run); });
+  put("--csv", m_options.csvFile, [&] { return report::toCsv(run); });
+  put("--html", m_options.htmlFile, [&] { return reportPage(run, m_pictures); });
+  return all;
 }
 
 }  // namespace sb

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "base/text.h"
+
 namespace sb {
 
 Progress::Progress(bool show) : m_show(show), m_terminal(isatty(2) != 0) {}
@@ -14,8 +16,9 @@ Progress::~Progress() {
 
 void Progress::update(const std::string& scene, const std::string& what, double done) {
   if (!m_show) return;
+  const std::string shown = base::errorLine(scene + ": " + what);
   if (m_terminal) {
-    std::fprintf(stderr, "\r\033[K[%3.0f %%] %s: %s", 100 * done, scene.c_str(), what.c_str());
+    std::fprintf(stderr, "\r\033[K[%3.0f %%] %s", 100 * done, shown.c_str());
     std::fflush(stderr);
     return;
   }
@@ -24,7 +27,7 @@ void Progress::update(const std::string& scene, const std::string& what, double 
   if (scene == m_scene && tenth == m_tenth) return;
   m_scene = scene;
   m_tenth = tenth;
-  std::fprintf(stderr, "[%3.0f %%] %s: %s\n", 100 * done, scene.c_str(), what.c_str());
+  std::fprintf(stderr, "[%3.0f %%] %s\n", 100 * done, shown.c_str());
 }
 
 }  // namespace sb

@@ -1,8 +1,8 @@
 // bench render: the picture of one cell as PNG and linear EXR, and its visibility buffer.
-#include <cstdio>
-
 #include "reports/picture.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/memory.h"
+#include "suites/cli/say.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/procedural.h"
@@ -14,7 +14,7 @@ namespace {
 void writeBoth(const std::string& prefix, const report::Picture& picture, float exposure) {
   report::writePng(prefix + ".png", picture, exposure);
   report::writeExr(prefix + ".exr", picture);
-  std::printf("%s.png %s.exr\n", prefix.c_str(), prefix.c_str());
+  print(prefix + ".png " + prefix + ".exr\n");
 }
 
 /// One cell; on the first default backend that starts when none is named.
@@ -35,7 +35,7 @@ CellId oneCell(const Options& options, const Platform& platform, Devices& device
     cells.front().backend = backend;
     if (devices.open(backend)) return cells.front();
     const std::string text = "backend " + backend + " does not start: " + devices.why(backend);
-    if (candidates.size() > 1) std::fprintf(stderr, "bench: %s\n", text.c_str());
+    if (candidates.size() > 1) say(text);
     why += (why.empty() ? "" : "; ") + text;
   }
   if (const std::string unknown = devices.whyNoSuchDevice(); !unknown.empty())
@@ -51,6 +51,7 @@ void requireWritable(const Options& options) {
 }  // namespace
 
 int renderCommand(const Options& options) {
+  limitMemory(options);
   Platform platform = makePlatform(options);
   requireWritable(options);
   Devices devices(platform.backends(), platform.shaders,
@@ -59,7 +60,8 @@ int renderCommand(const Options& options) {
   DeviceSession* session = devices.open(id.backend);
   const TechniqueInfo& technique = shadowTechnique(id.technique).info;
   const Scene scene = makeScene(id.scene);
-  for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());
+  for (const std::string& w : scene.warnings) say(w);
+  requireMemory(scene, {id.width, id.height}, false);
   const Effects effects = analyse(scene, double(id.width) / double(id.height));
   if (auto skip =
           unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
@@ -77,8 +79,7 @@ int renderCommand(const Options& options) {
   renderer.frame();
   const report::Picture picture{id.width, id.height, renderer.readImage()};
   if (const uint64_t bad = countNonFinite(picture))
-    std::fprintf(stderr, "bench: warning: %llu values of the picture are not finite\n",
-                 static_cast<unsigned long long>(bad));
+    say("warning: " + std::to_string(bad) + " values of the picture are not finite");
   writeBoth(options.outputPrefix, picture, options.exposure);
   if (options.visibility)
     for (uint32_t light = 0; light < renderer.lightCount(); ++light) {
@@ -90,7 +91,7 @@ int renderCommand(const Options& options) {
     }
   int code = 0;
   for (const rhi::Message& m : session->device->takeMessages()) {
-    std::fprintf(stderr, "bench: %s [%s] %s\n", m.source.c_str(), m.rule.c_str(), m.text.c_str());
+    say(m.source + " [" + m.rule + "] " + m.text);
     code = 1;
   }
   return code;

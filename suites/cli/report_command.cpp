@@ -1,13 +1,12 @@
 // bench report: the HTML page of a run that was written as JSON. No device is opened.
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "reports/atomic_file.h"
+#include "reports/bounded_file.h"
 #include "reports/html/html.h"
 #include "reports/json_read.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/say.h"
 #include "suites/metrics/blame.h"
 #include "suites/metrics/error_map.h"
 #include "techniques/common/error.h"
@@ -17,18 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Largest file of results that is read.
+constexpr uint64_t kResultBytes = uint64_t(1) << 30;
+
 std::string readText(const std::string& path) {
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path, error))
-    throw InputError(path, "found no file that can be read, expected results of --json");
-  return {std::istreambuf_iterator<char>(in), {}};
+  try {
+    return report::readBounded(path, kResultBytes);
+  } catch (const std::runtime_error& e) {
+    throw InputError("results", e.what());
+  }
 }
 
 }  // namespace
 
-void writeReport(const report::Run& run, const std::string& htmlFile,
-                 const std::filesystem::path& pictures) {
+std::string reportPage(const report::Run& run, const std::filesystem::path& pictures) {
   report::HtmlSettings settings{.pictures = pictures,
                                 .errorLeast = double(kErrorMapLeast),
                                 .errorMost = double(kErrorMapMost)};
@@ -36,7 +37,7 @@ void writeReport(const report::Run& run, const std::string& htmlFile,
   for (int i = 0; i <= kSteps; ++i) settings.errorScale.push_back(scaleColor(float(i) / kSteps));
   for (size_t k = 0; k < kCauses; ++k)
     settings.causeColors.emplace_back(causeName(Cause(k)), causeColor(Cause(k)));
-  report::writeAtomically(htmlFile, report::toHtml(run, settings));
+  return report::toHtml(run, settings);
 }
 
 int reportCommand(const Options& options) {
@@ -55,9 +56,9 @@ int reportCommand(const Options& options) {
   } catch (const report::ReadError& e) {
     throw InputError("", e.what());
   }
-  writeReport(run, html, pictures);
+  report::writeAtomically(html, reportPage(run, pictures));
   // A page that goes to a pipe goes there alone.
-  if (!report::isSpecialFile(html)) std::printf("%s\n", html.c_str());
+  if (!report::isSpecialFile(html)) print(html + "\n");
   return 0;
 }
 

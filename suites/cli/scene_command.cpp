@@ -1,7 +1,6 @@
 // bench scene: what is in a scene and what it calls for; export as .glb.
-#include <cstdio>
-
 #include "suites/cli/commands.h"
+#include "suites/cli/say.h"
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/describe.h"
 #include "suites/scenes/gltf_export.h"
@@ -14,9 +13,10 @@ int sceneCommand(const Options& options) {
   const Effects effects = analyse(scene, 1.0);
   if (!options.exportFile.empty()) exportGlb(scene, options.exportFile);
   if (options.sceneJson)
-    std::printf("%s\n", describeJson(scene, effects).dump(2).c_str());
+    print(describeJson(scene, effects).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+          "\n");
   else
-    std::printf("%s", describeText(scene, effects).c_str());
+    print(describeText(scene, effects));
   return 0;
 }
 

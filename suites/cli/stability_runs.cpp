@@ -1,5 +1,6 @@
 #include "suites/cli/stability_runs.h"
 
+#include <new>
 #include <optional>
 #include <set>
 
@@ -35,23 +36,37 @@ report::StabilityRecord runOne(const StabilityJob& job, Devices& devices) {
   DeviceSession* session = devices.open(job.backend);
   if (!session)
     return skippedStability(job, "the backend does not start: " + devices.why(job.backend));
+  if (const std::string lost = devices.whyLost(job.backend); !lost.empty())
+    return failedStability(job, lost);
   // The other API, not the other way to the same one.
   const std::string other = job.backend == "vulkan" ? "opengl" : "vulkan";
-  DeviceSession* second = devices.open(other);
+  DeviceSession* second = devices.whyLost(other).empty() ? devices.open(other) : nullptr;
   const DeviceContext device = session->context();
   std::optional<DeviceContext> otherDevice;
   if (second) otherDevice.emplace(second->context());
-  return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false);
+  try {
+    return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false);
+  } catch (const rhi::Error& e) {
+    if (rhi::isDeviceLost(e)) devices.lose(job.backend, e.what());
+    return failedStability(job, e.what());
+  } catch (const std::bad_alloc&) {
+    return failedStability(job, "the machine's memory does not hold it");
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& e) {
+    return failedStability(job, e.what());
+  }
 }
 
 }  // namespace
 
-void runStability(const std::vector<StabilityJob>& jobs, Devices& devices, report::Run& run,
-                  const std::atomic<bool>& interrupted,
-                  const std::function<void(const StabilityJob&, size_t)>& progress) {
+void runStability(
+    const std::vector<StabilityJob>& jobs, Devices& devices, const std::atomic<bool>& interrupted,
+    const std::function<void(const StabilityJob&, size_t)>& progress,
+    const std::function<void(const StabilityJob&, const report::StabilityRecord&)>& finished) {
   for (size_t i = 0; i < jobs.size() && !interrupted; ++i) {
     progress(jobs[i], i);
-    run.stability.push_back(runOne(jobs[i], devices));
+    finished(jobs[i], runOne(jobs[i], devices));
   }
 }
 

@@ -15,9 +15,10 @@ namespace sb {
 std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& over,
                                         const std::vector<std::string>& defaultBackends);
 
-/// Runs jobs until interrupted; `finished` after each.
-void runStability(const std::vector<StabilityJob>& jobs, Devices& devices, report::Run& run,
-                  const std::atomic<bool>& interrupted,
-                  const std::function<void(const StabilityJob& next, size_t done)>& progress);
+/// Runs jobs until interrupted; `progress` before each, `finished` after it.
+void runStability(
+    const std::vector<StabilityJob>& jobs, Devices& devices, const std::atomic<bool>& interrupted,
+    const std::function<void(const StabilityJob& next, size_t done)>& progress,
+    const std::function<void(const StabilityJob&, const report::StabilityRecord&)>& finished);
 
 }  // namespace sb

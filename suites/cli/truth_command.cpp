@@ -1,10 +1,14 @@
 // bench truth: the ray-traced reference of a scene as pictures. bench cache: the truths on disk.
-#include <atomic>
-#include <csignal>
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iterator>
 
 #include "reports/picture.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/interrupt.h"
+#include "suites/cli/memory.h"
+#include "suites/cli/say.h"
 #include "suites/cli/progress.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
@@ -16,12 +20,10 @@
 namespace sb {
 namespace {
 
-std::atomic<bool> g_interrupted = false;
-
 void write(const std::string& prefix, const report::Picture& picture, float exposure) {
   report::writePng(prefix + ".png", picture, exposure);
   report::writeExr(prefix + ".exr", picture);
-  std::printf("%s.png %s.exr\n", prefix.c_str(), prefix.c_str());
+  print(prefix + ".png " + prefix + ".exr\n");
 }
 
 void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
@@ -37,7 +39,7 @@ void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
   std::vector<float> edges;
   for (const uint8_t e : truth.imageEdges) edges.insert(edges.end(), {float(e), float(e), float(e), 1});
   report::writePng(options.outputPrefix + ".edges.png", picture(edges));
-  std::printf("%s.edges.png\n", options.outputPrefix.c_str());
+  print(options.outputPrefix + ".edges.png\n");
 }
 
 }  // namespace
@@ -51,11 +53,12 @@ int truthCommand(const Options& options) {
   const CellId id = selectCells(selection, {}, {}).front();
   for (const char* extension : {".png", ".exr"})
     requireWritable("--output", options.outputPrefix + extension);
+  limitMemory(options);
   const Scene scene = makeScene(id.scene);
-  for (const std::string& w : scene.warnings) std::fprintf(stderr, "bench: %s\n", w.c_str());
+  requireMemory(scene, {id.width, id.height}, true);
+  for (const std::string& w : scene.warnings) say(w);
   if (const auto missing = notYetRepresented(scene); !missing.empty()) {
-    std::fprintf(stderr, "bench: the truth cannot show this scene yet: %s\n",
-                 missing.front().c_str());
+    say("the truth cannot show this scene yet: " + missing.front());
     return 1;
   }
   const std::string key = truthKey(sceneHash(scene), id.width, id.height);
@@ -63,30 +66,34 @@ int truthCommand(const Options& options) {
   if (options.cache) truth = readTruth(truthCacheFolder(), key);
   const bool cached = truth.has_value();
   if (!cached) {
-    std::signal(SIGINT, [](int) { g_interrupted = true; });
+    watchInterrupts();
     Progress progress(!options.quiet);
     truth = Tracer(scene, id.width, id.height)
                 .trace({.width = id.width,
                         .height = id.height,
-                        .interrupted = &g_interrupted,
+                        .interrupted = &interrupted(),
                         .progress = [&](double done) { progress.update(id.scene, "trace", done); }});
-    if (!truth) return 130;
+    if (!truth) return interruptExitCode();
     if (options.cache) writeTruth(truthCacheFolder(), key, *truth);
   }
   writeAll(options, scene, *truth);
-  std::printf("%llu rays in %.2f s: %.2f million a second%s\n",
-              static_cast<unsigned long long>(truth->rays), truth->seconds,
-              double(truth->rays) / truth->seconds * 1e-6,
-              cached ? " (traced by an earlier run)" : "");
+  print(fmt::format("{} rays in {:.2f} s: {:.2f} million a second{}\n", truth->rays, truth->seconds,
+                    double(truth->rays) / truth->seconds * 1e-6,
+                    cached ? " (traced by an earlier run)" : ""));
   return 0;
 }
 
 int cacheCommand(const Options& options) {
   const auto folder = truthCacheFolder();
   const CacheUse use = options.clearCache ? clearCache(folder) : cacheUse(folder);
-  std::printf("%s: %llu truths, %.1f MiB%s\n", folder.c_str(),
-              static_cast<unsigned long long>(use.files), double(use.bytes) / (1 << 20),
-              options.clearCache ? ", removed" : "");
+  print(fmt::format("{}: {} truths, {:.1f} MiB{}\n", folder.string(), use.files,
+                    double(use.bytes) / (1 << 20), options.clearCache ? ", removed" : ""));
+  const auto runs = folder.parent_path() / "runs";
+  std::error_code error;
+  const auto unfinished = std::distance(std::filesystem::directory_iterator(runs, error), {});
+  if (unfinished > 0)
+    print(fmt::format("{}: {} runs that ended early (bench --resume FOLDER/run.journal)\n",
+                      runs.string(), unfinished));
   return 0;
 }
 

@@ -1,20 +1,10 @@
 #include "suites/harness/cell.h"
 
+#include "base/text.h"
 #include "techniques/common/registry.h"
 #include "techniques/common/renderer.h"
 
 namespace sb {
-namespace {
-
-/// Words with characters a shell would read stand in single quotes.
-std::string shellWord(const std::string& text) {
-  if (text.find_first_of(" ;'\"$&|()<>*?[]#~`\\") == std::string::npos) return text;
-  std::string out = "'";
-  for (char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
-}  // namespace
 
 Knobs cellKnobs(const CellId& id) {
   if (isReference(id)) return Knobs::resolve({}, id.knobs);
@@ -26,7 +16,8 @@ Knobs cellKnobs(const CellId& id) {
 std::string cellName(const CellId& id) {
   std::string name = id.technique;
   if (id.transparency != kDefaultTransparency) name += "+" + id.transparency;
-  name += "/" + id.backend + "/" + id.scene;
+  // Files may be called anything: names go to terminals, tables and filters.
+  name += "/" + id.backend + "/" + base::printable(id.scene);
   const std::string knobs = cellKnobs(id).nameSuffix();
   if (!knobs.empty()) name += "/" + knobs;
   if (id.seed != 0) name += "/seed:" + std::to_string(id.seed);
@@ -48,8 +39,8 @@ CellId baselineOf(const CellId& id) {
 std::string cellCommand(const CellId& id) {
   std::string command = "./bench --technique " + id.technique;
   if (id.transparency != kDefaultTransparency) command += "+" + id.transparency;
-  command += " --backend " + id.backend + " --scene " + shellWord(id.scene);
-  for (const auto& [name, value] : id.knobs) command += " --set " + name + "=" + value;
+  command += " --backend " + id.backend + " --scene " + base::shellWord(id.scene);
+  for (const auto& [name, value] : id.knobs) command += " --set " + base::shellWord(name + "=" + value);
   if (id.seed != 0) command += " --seed " + std::to_string(id.seed);
   return command + " --size " + std::to_string(id.width) + "x" + std::to_string(id.height);
 }

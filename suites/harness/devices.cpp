@@ -42,6 +42,15 @@ std::string Devices::why(const std::string& backend) const {
   return it == m_failures.end() ? "" : it->second;
 }
 
+void Devices::lose(const std::string& backend, const std::string& reason) {
+  m_lost.try_emplace(backend, "the device was lost: " + reason);
+}
+
+std::string Devices::whyLost(const std::string& backend) const {
+  auto it = m_lost.find(backend);
+  return it == m_lost.end() ? "" : it->second;
+}
+
 const std::vector<TimerFact>& Devices::timersOf(DeviceSession& session) {
   if (session.timers.empty()) session.timers = checkTimers(session.context());
   return session.timers;

@@ -36,6 +36,10 @@ class Devices {
   DeviceSession* open(const std::string& backend);
   /// Why `open` gave null.
   std::string why(const std::string& backend) const;
+  /// The backend's device was lost: nothing more is asked of it.
+  void lose(const std::string& backend, const std::string& reason);
+  /// "the device was lost: ...", or "".
+  std::string whyLost(const std::string& backend) const;
   /// What the timers of an open device are worth: checked once, at first use.
   static const std::vector<TimerFact>& timersOf(DeviceSession& session);
   /// A device was asked for, and no backend that was opened has it: the errors of all of them.
@@ -48,6 +52,7 @@ class Devices {
   const rhi::ShaderLibrary& m_shaders;
   rhi::DeviceRequest m_request;
   std::map<std::string, DeviceSession> m_sessions;
+  std::map<std::string, std::string> m_lost;  ///< why, by backend
   std::map<std::string, std::string> m_failures;
   std::string m_unmatched;  ///< failures to find the device asked for
 };

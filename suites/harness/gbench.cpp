@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
+#include <sstream>
 
 #include "reports/stats/stats.h"
 #include "techniques/common/error.h"
@@ -16,21 +16,6 @@ namespace {
 
 using benchmark::BenchmarkReporter;
 
-std::string flagValue(const std::string& argument) {
-  const size_t equals = argument.find('=');
-  return equals == std::string::npos ? "true" : argument.substr(equals + 1);
-}
-
-double positiveNumber(const std::string& argument) {
-  char* end = nullptr;
-  const std::string text = flagValue(argument);
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end || !(value > 0))
-    throw InputError(argument.substr(0, argument.find('=')),
-                     "found '" + text + "', expected a number above 0");
-  return value;
-}
-
 /// Hands runs on with the cell's name and its measured CPU time.
 class Corrected final : public BenchmarkReporter {
  public:
@@ -38,8 +23,10 @@ class Corrected final : public BenchmarkReporter {
       : m_inner(std::move(inner)) {
     for (const report::Record& r : records) m_records[r.name] = &r;
   }
+  /// With `text`: what is reported goes there, not to the library's stream.
+  void keepIn(std::ostream& text) { m_text = &text; }
   bool ReportContext(const Context& context) override {
-    m_inner->SetOutputStream(&GetOutputStream());
+    m_inner->SetOutputStream(m_text ? m_text : &GetOutputStream());
     m_inner->SetErrorStream(&GetErrorStream());
     return m_inner->ReportContext(context);
   }
@@ -80,6 +67,7 @@ class Corrected final : public BenchmarkReporter {
   }
 
   std::unique_ptr<BenchmarkReporter> m_inner;
+  std::ostream* m_text = nullptr;
   std::map<std::string, const report::Record*> m_records;
 };
 
@@ -129,19 +117,6 @@ void registerCell(const report::Record& record) {
       ->Repetitions(ok ? int(record.blocks.size()) : 1);
 }
 
-/// The value of the last flag of that name, or `fallback`.
-std::string lastValue(const BenchmarkFlags& flags, const std::string& name,
-                      const std::string& fallback) {
-  std::string value = fallback;
-  for (const std::string& a : flags.arguments)
-    if (a == name || a.starts_with(name + "=")) value = flagValue(a);
-  return value;
-}
-
-bool isTrue(const std::string& value) {
-  return value == "true" || value == "yes" || value == "on" || value == "1" || value == "t";
-}
-
 std::unique_ptr<BenchmarkReporter> makeReporter(const BenchmarkFlags& flags,
                                                 const std::string& format, bool toFile) {
 #pragma GCC diagnostic push
@@ -150,53 +125,16 @@ std::unique_ptr<BenchmarkReporter> makeReporter(const BenchmarkFlags& flags,
 #pragma GCC diagnostic pop
   if (format == "json") return std::make_unique<benchmark::JSONReporter>();
   int options = benchmark::ConsoleReporter::OO_None;
-  if (isTrue(lastValue(flags, "--benchmark_counters_tabular", "false")))
+  if (flags.isOn("--benchmark_counters_tabular"))
     options |= benchmark::ConsoleReporter::OO_Tabular;
-  const std::string color = lastValue(flags, "--benchmark_color", "auto");
-  if (!toFile && (color == "auto" ? isatty(1) != 0 : isTrue(color)))
+  const std::string color = flags.value("--benchmark_color", "auto");
+  if (!toFile && (color == "auto" ? isatty(1) != 0 : flags.isOn("--benchmark_color")))
     options |= benchmark::ConsoleReporter::OO_Color;
   return std::make_unique<benchmark::ConsoleReporter>(
       benchmark::ConsoleReporter::OutputOptions(options));
 }
 
 }  // namespace
-
-BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments) {
-  BenchmarkFlags flags;
-  std::vector<std::string> rest;
-  for (const std::string& a : arguments) {
-    if (!a.starts_with("--benchmark_")) {
-      rest.push_back(a);
-      continue;
-    }
-    flags.arguments.push_back(a);
-    if (a.starts_with("--benchmark_repetitions="))
-      flags.repetitions = uint32_t(std::max(1.0, positiveNumber(a)));
-    if (a.starts_with("--benchmark_min_time=")) flags.minSeconds = positiveNumber(a);
-    // Without a format the console's table is ours; these ask for the library's.
-    for (const char* name : {"--benchmark_format", "--benchmark_counters_tabular"})
-      flags.display |= a.starts_with(name);
-  }
-  flags.list = isTrue(lastValue(flags, "--benchmark_list_tests", "false"));
-  flags.outFile = lastValue(flags, "--benchmark_out", "");
-  // As the library reads it: "all" is every one, a leading '-' leaves out what matches.
-  flags.filter = lastValue(flags, "--benchmark_filter", "");
-  if (flags.filter == "all") flags.filter.clear();
-  flags.filterExcludes = flags.filter.starts_with('-');
-  if (flags.filterExcludes) flags.filter.erase(0, 1);
-  arguments = rest;
-  // The library keeps the pointer to the program's name for its reports.
-  static std::string program = "bench";
-  std::vector<std::string> words = flags.arguments;
-  std::vector<char*> argv = {program.data()};
-  for (std::string& w : words) argv.push_back(w.data());
-  int argc = int(argv.size());
-  benchmark::Initialize(&argc, argv.data());
-  if (argc > 1)
-    throw InputError(
-        "", "unknown option '" + std::string(argv[1]) + "'; Google Benchmark 1.7 does not know it");
-  return flags;
-}
 
 void describeLibrary(report::Run& run) {
   run.libraryVersion = "v" SHADOWBENCH_BENCHMARK_VERSION;
@@ -207,21 +145,25 @@ void describeLibrary(report::Run& run) {
                           .sharing = uint32_t(c.num_sharing)});
 }
 
-void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records) {
-  if (flags.arguments.empty() || records.empty()) return;
+std::string runBenchmarks(const BenchmarkFlags& flags,
+                          const std::vector<report::Record>& records) {
+  std::ostringstream text;
+  if (flags.arguments.empty() || records.empty()) return "";
   benchmark::ClearRegisteredBenchmarks();
   for (const report::Record& r : records) registerCell(r);
   Corrected display(
-      flags.display ? makeReporter(flags, lastValue(flags, "--benchmark_format", "console"), false)
+      flags.display ? makeReporter(flags, flags.value("--benchmark_format", "console"), false)
                     : std::make_unique<Silent>(),
       records);
   std::unique_ptr<Corrected> file;
   if (!flags.outFile.empty())
     file = std::make_unique<Corrected>(
-        makeReporter(flags, lastValue(flags, "--benchmark_out_format", "json"), true), records);
+        makeReporter(flags, flags.value("--benchmark_out_format", "json"), true), records);
+  if (file) file->keepIn(text);
   // The filter has been applied to the selection already.
   benchmark::RunSpecifiedBenchmarks(&display, file.get(), ".");
   benchmark::ClearRegisteredBenchmarks();
+  return text.str();
 }
 
 }  // namespace sb

@@ -22,6 +22,11 @@ struct BenchmarkFlags {
   double minSeconds = 0;               ///< --benchmark_min_time; 0: not given
   bool list = false;                   ///< --benchmark_list_tests
   bool display = false;                ///< its own output on the console was asked for
+
+  /// The last value of a flag, or `fallback`. A flag without a value is "true".
+  std::string value(const std::string& name, const std::string& fallback) const;
+  /// As the library reads a flag that is true or false.
+  bool isOn(const std::string& name) const;
 };
 
 /// Takes the --benchmark_* flags out of `arguments` and lets the library read them. A flag that it
@@ -31,7 +36,8 @@ BenchmarkFlags takeBenchmarkFlags(std::vector<std::string>& arguments);
 /// Fills what the library knows of itself and of the machine: its version, the CPU's caches.
 void describeLibrary(report::Run& run);
 
-/// Runs the library over the records: writes --benchmark_out, prints if display was asked for.
-void runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records);
+/// Runs the library over the records: prints if display was asked for; gives what --benchmark_out
+/// is to hold.
+std::string runBenchmarks(const BenchmarkFlags& flags, const std::vector<report::Record>& records);
 
 }  // namespace sb

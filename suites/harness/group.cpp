@@ -2,35 +2,29 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <new>
+#include <set>
 
 #include "backends/rhi/memory_limit.h"
-#include "reports/stats/stats.h"
+#include "suites/harness/active_cell.h"
 #include "suites/harness/compare.h"
-#include "suites/harness/judge.h"
 #include "suites/harness/load_watch.h"
 #include "suites/harness/plausible.h"
 #include "suites/harness/scene_hash.h"
-#include "suites/harness/subject.h"
+#include "suites/harness/selection.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/procedural.h"
+#include "techniques/common/error.h"
 
 namespace sb {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Shares of a group's progress at which measuring and verifying begin.
 constexpr double kMeasure = 0.3, kVerify = 0.6;
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-void addOnce(std::vector<std::string>& list, const std::string& text) {
-  if (std::ranges::find(list, text) == list.end()) list.push_back(text);
-}
+constexpr const char* kNotCompared =
+    "the run ended before this cell was compared with the others of its group";
 
 report::Record recordOf(const CellId& id, const std::string& sceneHash,
                         const std::string& version) {
@@ -50,17 +44,13 @@ report::Record recordOf(const CellId& id, const std::string& sceneHash,
   return r;
 }
 
-/// A cell under measurement.
-struct Active {
-  CellResult* result = nullptr;
-  std::unique_ptr<Subject> subject;
-  Samples samples;
-  std::string untimedPicture;  ///< content hash
-  uint32_t framesPerBlock = 1;
-  bool software = true;
-  bool ok() const { return result->record.status == report::Status::Ok; }
-};
+/// The name that a cell has in common with itself on other backends.
+std::string familyOf(CellId id) {
+  id.backend = "*";
+  return cellName(id);
+}
 
+/// Cells that are measured together.
 class Group {
  public:
   Group(const std::vector<CellId>& cells, Devices& devices, const MeasureSettings& settings,
@@ -73,33 +63,38 @@ class Group {
         m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
                 withProgress(settings.judge)) {
     for (const CellId& id : cells)
-      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), version), {}, {}});
+      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), version), {}, {}, false});
     m_active.reserve(m_results.size());
   }
 
   std::vector<CellResult> run() {
-    for (size_t i = 0; i < m_results.size(); ++i) {
+    for (size_t i = 0; i < m_results.size() && !interrupted(); ++i) {
       report("prepare", kMeasure * double(i) / double(m_results.size()));
-      guarded(m_results[i], [&] { prepare(m_results[i]); });
-      if (interrupted()) return {};
+      prepare(m_results[i]);
     }
+    // What cannot run is finished; what is measured apart is another group's.
+    for (CellResult& r : m_results) r.finished = r.record.status != report::Status::Ok;
     const MachineUse before = machineUse();
-    const Stop stop = measureBlocks();
-    if (interrupted()) return {};
+    const Stop stop = interrupted() ? Stop::Not : measureBlocks();
     const std::vector<std::string> disturbed = disturbances(before, machineUse());
-    for (size_t i = 0; i < m_active.size(); ++i) {
+    for (size_t i = 0; i < m_active.size() && !interrupted(); ++i) {
       m_verified = i;
       report("verify", kVerify + (1 - kVerify) * double(i) / double(m_active.size()));
-      Active& a = m_active[i];
-      for (const std::string& d : disturbed) addOnce(a.result->record.contamination, d);
-      guarded(*a.result, [&] { finish(a, stop); });
-      if (interrupted()) return {};
+      ActiveCell& a = m_active[i];
+      for (const std::string& d : disturbed) addOnce(a.result().record.contamination, d);
+      guarded(a.result(), [&] { finish(a, stop); });
+      a.result().finished = !interrupted() || !a.ok();
+      tellVerified(a.result());
     }
-    std::vector<Measured> measured;
-    for (Active& a : m_active) measured.push_back({a.result, &a.samples, a.software});
-    compareCells(measured);
+    compare();
+    std::erase_if(m_results, [&](const CellResult& r) {
+      return !r.finished || m_apart.contains(familyOf(r.id));
+    });
     return std::move(m_results);
   }
+
+  /// Families of cells that did not fit beside the others.
+  const std::set<std::string>& apart() const { return m_apart; }
 
  private:
   JudgeSettings withProgress(JudgeSettings judge) {
@@ -115,148 +110,121 @@ class Group {
     if (m_settings.progress) m_settings.progress(what, done);
   }
 
+  void skip(CellResult& result, const std::string& why) {
+    report::refuse(result.record, why);
+    result.record.status = report::Status::Skipped;
+  }
+
   /// A failure of one cell is its record's, not the run's.
   template <class Work>
   void guarded(CellResult& result, const Work& work) {
     if (result.record.status != report::Status::Ok) return;
+    if (const std::string lost = m_devices.whyLost(result.id.backend); !lost.empty())
+      return report::refuse(result.record, lost);
     try {
       work();
     } catch (const rhi::Error& e) {
-      report::refuse(result.record, rhi::isTooLarge(e) ? rhi::whyTooLarge(e) : e.what());
-      if (rhi::isTooLarge(e)) result.record.status = report::Status::Skipped;
+      if (rhi::isTooLarge(e)) return skip(result, rhi::whyTooLarge(e));
+      if (rhi::isDeviceLost(e)) m_devices.lose(result.id.backend, e.what());
+      report::refuse(result.record, e.what());
+    } catch (const std::bad_alloc&) {
+      skip(result, std::string(rhi::kTooLargeWords) + "the machine's memory does not hold it");
     } catch (const std::exception& e) {
       report::refuse(result.record, e.what());
     }
   }
 
   void prepare(CellResult& result) {
-    Active a;
-    a.result = &result;
-    a.subject = makeSubject(result.id, m_context, result.record);
-    if (!a.subject) return;
-    a.software = a.subject->software();
-    a.samples.passesUntrusted = a.subject->passesUntrusted();
-    a.subject->describe(result.record);
-    warmUp(a);
-    a.untimedPicture = contentHashOf(a.subject->picture());
-    takeMessages(a);
-    m_active.push_back(std::move(a));
+    if (m_apart.contains(familyOf(result.id))) return;
+    guarded(result, [&] {
+      auto subject = makeSubject(result.id, m_context, result.record);
+      if (subject) m_active.emplace_back(result, std::move(subject), m_settings);
+    });
+    const bool tooLarge = result.record.status == report::Status::Skipped &&
+                          result.record.reason.starts_with(rhi::kTooLargeWords);
+    // Beside nothing it is too large at all; a companion is not worth a group.
+    if (!tooLarge || m_active.empty() || result.id.companion) return;
+    const std::string family = familyOf(result.id);
+    m_apart.insert(family);
+    std::erase_if(m_active, [&](ActiveCell& a) { return familyOf(a.result().id) == family; });
   }
 
-  /// One frame, or one loop of a camera in motion, which then stands at the end of its path again.
-  /// Its wall time.
-  static double loopMs(Subject& subject, FrameMode mode) {
-    double wall = 0;
-    for (uint32_t i = 0; i < subject.steps(); ++i) wall += subject.frame(mode).wallMs;
-    return wall;
-  }
+  bool isOver(const ActiveCell& a) const { return !a.ok() || a.isSpent(); }
 
-  static std::vector<FrameResult> frames(Subject& subject, FrameMode mode, uint32_t count) {
-    std::vector<FrameResult> frames;
-    for (uint32_t i = 0; i < count; ++i) frames.push_back(subject.frame(mode));
-    return frames;
-  }
-
-  /// Every pipeline and state is drawn twice before the windows begin.
-  void warmUp(Active& a) {
-    Subject& subject = *a.subject;
-    a.samples.loop = subject.steps();
-    const double first = loopMs(subject, FrameMode::Plain);
-    const uint32_t windowFrames =
-        wholeLoops(subject.hasPasses() ? WarmUp::kWindowFrames : 1, subject.steps());
-    if (subject.hasPasses()) {
-      loopMs(subject, FrameMode::Stamped);
-      loopMs(subject, FrameMode::Counted);
-    }
-    WarmUp rule;
-    for (bool done = false; !done && !interrupted();) {
-      std::vector<double> times;
-      for (uint32_t i = 0; i < windowFrames; ++i)
-        times.push_back(rankingMs(subject.frame(FrameMode::Plain), a.software));
-      done = rule.add(report::median(times));
-    }
-    if (!rule.steady())
-      a.result->record.warnings.push_back("ten warm-up windows did not agree: the time drifts");
-    const double warm = loopMs(subject, FrameMode::Plain);
-    a.samples.compileMs = subject.createMs() + std::max(0.0, first - warm);
-    const double frame = std::max(warm / double(subject.steps()), 1e-3);
-    a.framesPerBlock =
-        wholeLoops(uint32_t(std::clamp(m_settings.blockSeconds * 1e3 / frame, 1.0, 32.0)),
-                   subject.steps());
-  }
-
+  /// Rounds of a block each; of cells that an earlier part of the run left behind, those first.
   Stop measureBlocks() {
-    const auto start = Clock::now();
-    const double budget = m_settings.budgetSeconds * double(m_active.size());
-    for (uint32_t round = 0; !m_active.empty(); ++round) {
-      for (size_t i : roundOrder(m_active.size(), round)) {
-        Active& a = m_active[i];
-        guarded(*a.result, [&] { measureBlock(a); });
-        if (interrupted()) break;
+    while (true) {
+      size_t round = SIZE_MAX;
+      for (const ActiveCell& a : m_active)
+        if (!isOver(a)) round = std::min(round, a.samples().blocks.size());
+      if (const Stop stop = stopAfter(round); stop != Stop::Not || round == SIZE_MAX) return stop;
+      for (size_t i : roundOrder(m_active.size(), uint32_t(round))) {
+        ActiveCell& a = m_active[i];
+        if (isOver(a) || a.samples().blocks.size() > round) continue;
+        guarded(a.result(), [&] { a.measureBlock(); });
+        if (interrupted()) return Stop::Not;
       }
-      const double spent = secondsSince(start) / std::max(1e-9, budget);
-      report("measure", kMeasure + (kVerify - kMeasure) * std::min(1.0, spent));
-      std::vector<double> widths;
-      for (const Active& a : m_active)
-        if (a.ok()) widths.push_back(relativeHalfWidth(blockMeans(a.samples, a.software)));
-      const Stop stop = stopNow(m_settings.stop, round + 1, spent, widths);
-      if (stop != Stop::Not || interrupted()) return stop;
     }
-    return Stop::Not;
   }
 
-  void measureBlock(Active& a) {
-    const size_t pipelines = a.subject->pipelines();
-    // A counter that is reset spoils one block, a broken one all.
-    for (int attempt = 0; attempt < 3; ++attempt)
-      if (addBlock(a.samples, frames(*a.subject, FrameMode::Plain, a.framesPerBlock), a.software))
-        break;
-      else if (attempt == 2)
-        throw std::runtime_error("timer not trusted: the stamps of every frame exceed its wall time");
-    if (a.subject->pipelines() != pipelines)
-      addOnce(a.result->record.contamination, "a pipeline was created within a timed frame");
-    takeMessages(a);
+  /// Whether `rounds` are enough. Cells that are slow keep to their own budget, and nobody waits
+  /// for their precision.
+  Stop stopAfter(size_t rounds) {
+    std::vector<double> widths;
+    double seconds = 0;
+    for (const ActiveCell& a : m_active) {
+      if (!a.ok() || a.isSlow()) continue;
+      widths.push_back(relativeHalfWidth(blockMeans(a.samples(), a.software())));
+      seconds += a.secondsInBlocks();
+    }
+    if (rounds == SIZE_MAX) return Stop::Budget;
+    if (widths.empty() || rounds == 0) return Stop::Not;
+    const double spent = seconds / std::max(1e-9, m_settings.budgetSeconds * double(widths.size()));
+    report("measure", kMeasure + (kVerify - kMeasure) * std::min(1.0, spent));
+    return stopNow(m_settings.stop, uint32_t(rounds), spent, widths);
   }
 
-  /// What a device's validation said since the last call belongs to the cell that ran.
-  static void takeMessages(Active& a) {
-    for (const rhi::Message& m : a.subject->takeMessages())
-      addOnce(a.result->record.warnings, "validation: " + m.source + " [" + m.rule + "] " + m.text);
-  }
-
-  void finish(Active& a, Stop stop) {
-    CellResult& result = *a.result;
+  void finish(ActiveCell& a, Stop stop) {
+    CellResult& result = a.result();
     report::Record& record = result.record;
-    // The picture first: it must be of the last timed frame.
-    result.picture = a.subject->picture();
-    record.picture = contentHashOf(result.picture);
-    record.stable = record.picture == a.untimedPicture;
-    record.nonfinite = countNonFinite(result.picture);
-    if (a.subject->hasPasses()) {
-      const uint32_t steps = a.subject->steps();
-      for (uint32_t i = 0; i < m_settings.stampedFrames; i += steps) {
-        std::vector<FrameResult> stamped = frames(*a.subject, FrameMode::Stamped, steps);
-        addStamped(a.samples, {std::move(stamped), frames(*a.subject, FrameMode::Plain, steps)});
-      }
-      for (uint32_t i = 0; i < a.subject->steps(); ++i)
-        a.samples.counted = a.subject->frame(FrameMode::Counted);
-    }
-    takeMessages(a);
-    summarise(a.samples, a.software, record);
-    record.precision = relativeHalfWidth(blockMeans(a.samples, a.software));
-    record.stoppedBy = stop == Stop::Precision ? "precision"
-                       : stop == Stop::Budget  ? "budget"
-                                               : "repetitions";
+    a.finish(stop);
     if (m_devices.validating()) addOnce(record.contamination, "validation is on");
 #ifndef NDEBUG
     addOnce(record.contamination, "this is a debug build");
 #endif
-    if (Renderer* renderer = a.subject->renderer())
+    if (Renderer* renderer = a.subject().renderer())
       for (const std::string& w : renderer->warnings()) addOnce(record.warnings, w);
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
-    for (const std::string& why : {whyRefused(record), whyImplausible(a.samples, a.software)})
+    for (const std::string& why : {whyRefused(record), whyImplausible(a.samples(), a.software())})
       if (!why.empty()) return report::refuse(record, why);
-    m_judge.judge(*a.subject, result.id, result.picture, record, result.files);
+    // Nobody asks how wrong a companion is.
+    if (!result.id.companion) m_judge.judge(a.subject(), result.id, result.picture, record, result.files);
+  }
+
+  void tellVerified(const CellResult& result) {
+    if (!m_settings.onVerified || !result.finished || result.id.companion) return;
+    CellResult alone{result.id, result.record, {}, result.files, true};
+    if (alone.record.status == report::Status::Ok)
+      for (const char* key : {"ratios", "cross_backend_max_255", "cross_backend_over_1_255"})
+        alone.record.why[key] = kNotCompared;
+    m_settings.onVerified(alone);
+  }
+
+  void compare() {
+    std::vector<Measured> measured;
+    for (ActiveCell& a : m_active)
+      if (a.result().finished) measured.push_back({&a.result(), &a.samples(), a.software()});
+    compareCells(measured);
+    // An interval of a ratio needs as many pairs as one of a median.
+    for (ActiveCell& a : m_active) {
+      report::Record& record = a.result().record;
+      const size_t removed = std::erase_if(record.ratios, [&](const report::Ratio& r) {
+        return m_settings.stop.repetitions == 0 && r.n < m_settings.stop.minBlocks;
+      });
+      if (removed > 0 && record.ratios.empty())
+        record.why["ratios"] = "the budget allowed fewer than " +
+                               std::to_string(m_settings.stop.minBlocks) + " pairs of blocks";
+    }
   }
 
   Devices& m_devices;
@@ -266,15 +234,64 @@ class Group {
   SubjectContext m_context;
   Judge m_judge;
   std::vector<CellResult> m_results;
-  std::vector<Active> m_active;
+  std::vector<ActiveCell> m_active;
+  std::set<std::string> m_apart;
   size_t m_verified = 0;  ///< cells
 };
+
+/// Groups for what did not fit: all of it with baselines, or, where that was tried, each family
+/// alone, and then each cell.
+std::vector<std::vector<CellId>> smallerGroups(const std::vector<CellId>& cells,
+                                               const std::set<std::string>& apart) {
+  std::vector<CellId> left;
+  size_t asked = 0;
+  for (const CellId& id : cells) {
+    asked += !id.companion;
+    if (!id.companion && apart.contains(familyOf(id))) left.push_back(id);
+  }
+  const bool stuck = left.size() == asked;
+  std::map<std::string, std::vector<CellId>> parts;
+  for (const CellId& id : left)
+    parts[!stuck ? "" : apart.size() > 1 ? familyOf(id) : cellName(id)].push_back(id);
+  std::vector<std::vector<CellId>> groups;
+  for (auto& [name, part] : parts) {
+    addBaselines(part);
+    groups.push_back(std::move(part));
+  }
+  return groups;
+}
 
 }  // namespace
 
 std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
                                      const MeasureSettings& settings, const std::string& version) {
-  return Group(cells, devices, settings, version).run();
+  std::vector<CellResult> results;
+  std::vector<std::vector<CellId>> pending = {cells};
+  const auto isInterrupted = [&] { return settings.interrupted && settings.interrupted->load(); };
+  for (bool first = true; !pending.empty() && (first || !isInterrupted()); first = false) {
+    const std::vector<CellId> part = std::move(pending.front());
+    pending.erase(pending.begin());
+    std::set<std::string> apart;
+    {
+      Group group(part, devices, settings, version);
+      for (CellResult& r : group.run()) {
+        if (!first && !r.id.companion)
+          addOnce(r.record.warnings,
+                  "measured after the others of its group: together they do not fit the memory");
+        if (first || !r.id.companion) results.push_back(std::move(r));
+      }
+      apart = group.apart();
+    }
+    if (apart.empty()) continue;
+    const auto smaller = smallerGroups(part, apart);
+    pending.insert(pending.begin(), smaller.begin(), smaller.end());
+  }
+  // In the order of the cells, wherever they were measured.
+  std::map<std::string, size_t> order;
+  for (const CellId& id : cells) order.try_emplace(cellName(id), order.size());
+  std::ranges::stable_sort(results, {},
+                           [&](const CellResult& r) { return order.at(cellName(r.id)); });
+  return results;
 }
 
 }  // namespace sb

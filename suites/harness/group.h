@@ -14,6 +14,14 @@
 
 namespace sb {
 
+struct CellResult {
+  CellId id;
+  report::Record record;
+  report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
+  PictureFiles files;       ///< of Record::pictures
+  bool finished = false;    ///< measured and verified, or it cannot be
+};
+
 struct MeasureSettings {
   double budgetSeconds = 3;  ///< per cell, for plain frames
   StopRule stop;
@@ -22,23 +30,24 @@ struct MeasureSettings {
   /// Devices whose timers fail their check give no times. Off: tests on devices without time.
   bool checkTimers = true;
   JudgeSettings judge;
-  /// Polled between frames: true stops at once; the group under way is given up.
+  /// Polled between blocks: true stops; cells that are not finished are left out.
   const std::atomic<bool>* interrupted = nullptr;
   /// "prepare", "warm up", "measure"...: what is being done, and how much of the group is done,
   /// 0..1.
   std::function<void(const std::string& what, double done)> progress;
+
+  /// Blocks of an earlier part of the run, by the cells' names.
+  const std::map<std::string, std::vector<SampleBlock>>* earlierBlocks = nullptr;
+  std::function<void(const std::string& cell, const SampleBlock& block)> onBlock;
+  /// A cell is verified, and no companion. What it is compared with is not known yet: its record
+  /// says so.
+  std::function<void(const CellResult&)> onVerified;
 };
 
-struct CellResult {
-  CellId id;
-  report::Record record;
-  report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
-  PictureFiles files;       ///< of Record::pictures
-};
-
-/// Results in the order of `cells`, companions included. A cell that cannot run is a skipped or
-/// failed record with its reason. Throws InputError when the scene cannot be loaded. Empty when
-/// interrupted: none of them is finished then.
+/// Results of the cells that are finished, companions included: all of them unless interrupted. A
+/// cell that cannot run is a skipped or failed record with its reason. Cells that do not fit the
+/// memory beside the others are measured after them, beside their baselines alone, and say so.
+/// Throws InputError when the scene cannot be loaded.
 std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
                                      const MeasureSettings& settings, const std::string& version);
 

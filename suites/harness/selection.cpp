@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
+#include <stdexcept>
 #include <set>
 #include <tuple>
 
@@ -87,6 +87,13 @@ std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pai
   return sweeps;
 }
 
+/// Lists of values multiply.
+void requireBounded(size_t cells) {
+  if (cells > kMostCells)
+    throw InputError("selection", "found more than " + std::to_string(kMostCells) +
+                                      " cells, expected fewer values in its lists");
+}
+
 /// All combinations of the sweeps whose knobs the pair has.
 std::vector<std::map<std::string, std::string>> combinations(const Pair& pair,
                                                              const std::vector<Sweep>& sweeps) {
@@ -94,6 +101,7 @@ std::vector<std::map<std::string, std::string>> combinations(const Pair& pair,
   const auto knobs = pair.knobs();
   for (const Sweep& sweep : sweeps) {
     if (std::ranges::find(knobs, sweep.knob, &KnobInfo::name) == knobs.end()) continue;
+    requireBounded(all.size() * sweep.values.size());
     std::vector<std::map<std::string, std::string>> next;
     for (const auto& base : all)
       for (const std::string& value : sweep.values) {
@@ -103,14 +111,6 @@ std::vector<std::map<std::string, std::string>> combinations(const Pair& pair,
     all = std::move(next);
   }
   return all;
-}
-
-std::regex parseFilter(const std::string& filter) {
-  try {
-    return std::regex(filter);
-  } catch (const std::regex_error& e) {
-    throw InputError("--filter", "'" + filter + "' is no regular expression: " + e.what());
-  }
 }
 
 /// Edit distance of `pattern` to the nearest part of `text`, whatever stands around that part.
@@ -128,29 +128,14 @@ size_t partDistance(std::string_view pattern, std::string_view text) {
   return *std::ranges::min_element(row);
 }
 
-std::string noMatch(const std::string& filter, const std::vector<CellId>& cells) {
+std::string noMatch(const std::string& filter, const std::vector<std::string>& names) {
   std::vector<std::pair<size_t, std::string>> ranked;
-  for (const CellId& id : cells)
-    ranked.emplace_back(partDistance(filter, cellName(id)), cellName(id));
+  for (const std::string& name : names) ranked.emplace_back(partDistance(filter, name), name);
   std::ranges::stable_sort(ranked, {}, &std::pair<size_t, std::string>::first);
   std::string text = "found '" + filter + "', which no cell's name matches; nearest: ";
   for (size_t i = 0; i < std::min<size_t>(3, ranked.size()); ++i)
     text += (i ? ", " : "") + ranked[i].second;
   return text;
-}
-
-std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
-                                const std::vector<CellId>& cells) {
-  if (filter.empty()) return cells;
-  const std::regex regex = parseFilter(filter);
-  std::vector<CellId> kept;
-  for (const CellId& id : cells)
-    if (std::regex_search(cellName(id), regex) != exclude) kept.push_back(id);
-  if (kept.empty())
-    throw InputError("--filter",
-                     exclude ? "every cell's name matches '" + filter + "', which is to be left out"
-                             : noMatch(filter, cells));
-  return kept;
 }
 
 std::string withEdits(const std::string& scene, const std::vector<std::string>& edits) {
@@ -159,19 +144,41 @@ std::string withEdits(const std::string& scene, const std::vector<std::string>& 
   return spec;
 }
 
-void addBaselines(std::vector<CellId>& group) {
-  std::set<std::string> present;
-  for (const CellId& c : group) present.insert(cellName(c));
-  for (size_t i = 0, asked = group.size(); i < asked; ++i) {
-    if (isReference(group[i])) continue;
-    CellId baseline = baselineOf(group[i]);
-    if (!present.insert(cellName(baseline)).second) continue;
-    baseline.companion = true;
-    group.push_back(std::move(baseline));
+}  // namespace
+
+base::Pattern parseFilter(const std::string& filter) {
+  try {
+    return base::Pattern::regex(filter);
+  } catch (const std::invalid_argument& e) {
+    throw InputError("--filter", "'" + filter + "' is no regular expression: " + e.what());
   }
 }
 
-}  // namespace
+NameFilter::NameFilter(const Selection& selection, const std::vector<std::string>& names)
+    : m_all(selection.filter.empty()) {
+  if (m_all) return;
+  const std::string& filter = selection.filter;
+  const bool isName = std::ranges::find(names, filter) != names.end();
+  std::set<std::string> matched;
+  for (const std::string& name : names)
+    if (isName ? name == filter : name.find(filter) != name.npos) matched.insert(name);
+  if (!isName) {
+    try {
+      const base::Pattern wanted = parseFilter(filter);
+      for (const std::string& name : names)
+        if (wanted.found(name)) matched.insert(name);
+    } catch (const InputError&) {
+      if (matched.empty()) throw;
+    }
+  }
+  for (const std::string& name : names)
+    if (matched.contains(name) != selection.filterExcludes) m_kept.insert(name);
+  if (m_kept.empty())
+    throw InputError("--filter", selection.filterExcludes
+                                     ? "every cell's name matches '" + filter +
+                                           "', which is to be left out"
+                                     : noMatch(filter, names));
+}
 
 const std::vector<std::string>& quickScenes() {
   static const std::vector<std::string> names = {"spheres_quads", "layers", "window", "teapot"};
@@ -209,12 +216,31 @@ std::vector<CellId> selectCells(const Selection& selection,
                     .height = height,
                     .seed = selection.seed};
           if (names.insert(cellName(id)).second) cells.push_back(std::move(id));
+          requireBounded(cells.size());
         }
   return filterCells(selection, cells);
 }
 
 std::vector<CellId> filterCells(const Selection& selection, const std::vector<CellId>& cells) {
-  return applyFilter(selection.filter, selection.filterExcludes, cells);
+  std::vector<std::string> names;
+  for (const CellId& id : cells) names.push_back(cellName(id));
+  const NameFilter filter(selection, names);
+  std::vector<CellId> kept;
+  for (size_t i = 0; i < cells.size(); ++i)
+    if (filter.keeps(names[i])) kept.push_back(cells[i]);
+  return kept;
+}
+
+void addBaselines(std::vector<CellId>& group) {
+  std::set<std::string> present;
+  for (const CellId& c : group) present.insert(cellName(c));
+  for (size_t i = 0, asked = group.size(); i < asked; ++i) {
+    if (isReference(group[i]) || group[i].companion) continue;
+    CellId baseline = baselineOf(group[i]);
+    if (!present.insert(cellName(baseline)).second) continue;
+    baseline.companion = true;
+    group.push_back(std::move(baseline));
+  }
 }
 
 std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most) {

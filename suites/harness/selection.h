@@ -2,12 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "base/pattern.h"
 #include "suites/harness/cell.h"
 
 namespace sb {
+
+/// Most cells of a selection.
+inline constexpr size_t kMostCells = 100000;
 
 /// As it stands on the command line; empty means "the default".
 struct Selection {
@@ -16,7 +21,7 @@ struct Selection {
   std::vector<std::string> scenes;  ///< NAME[:param=value,...] or a file; default: the quick four
   std::vector<std::string> sets;    ///< "knob=v1,v2": a sweep
   std::vector<std::string> edits;   ///< of every scene, see suites/scenes/scene_edit.h
-  std::string filter;               ///< ECMAScript regular expression over names
+  std::string filter;               ///< regular expression over names
   bool filterExcludes = false;      ///< the filter names what is left out
   std::optional<std::pair<uint32_t, uint32_t>> size;
   uint32_t seed = 0;
@@ -32,12 +37,32 @@ std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& knownBackends,
                                 const std::vector<std::string>& defaultBackends);
 
+/// Of names of cells and hard cases. Throws InputError naming --filter.
+base::Pattern parseFilter(const std::string& filter);
+
+/// What --filter leaves of names: the one that it is, where there is one; else those that hold it
+/// as it stands, and those in which it is found as a regular expression. So a name that was printed
+/// always finds itself, whatever its '+', '?' or '*' mean in an expression.
+class NameFilter {
+ public:
+  /// Throws InputError when nothing of `names` is left (with the nearest), or when the filter is
+  /// neither a part of a name nor a regular expression.
+  NameFilter(const Selection& selection, const std::vector<std::string>& names);
+  bool keeps(const std::string& name) const { return m_all || m_kept.contains(name); }
+
+ private:
+  bool m_all = false;
+  std::set<std::string> m_kept;
+};
+
 /// The cells that a filter leaves. Throws InputError like selectCells.
 std::vector<CellId> filterCells(const Selection& selection, const std::vector<CellId>& cells);
 
 /// Cells that run interleaved: same scene, size and seed. At most `most` asked-for cells in a
 /// group, a cell's backends always together; baselines that are not asked for are added as
 /// companions.
+/// Adds to a group, as companions, the baselines that it lacks.
+void addBaselines(std::vector<CellId>& group);
 std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most = 16);
 
 }  // namespace sb

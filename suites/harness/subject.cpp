@@ -138,6 +138,10 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
   DeviceSession* session = context.devices.open(id.backend);
   if (!session)
     return skip(record, "the backend does not start: " + context.devices.why(id.backend));
+  if (const std::string lost = context.devices.whyLost(id.backend); !lost.empty()) {
+    report::refuse(record, lost);
+    return nullptr;
+  }
   rhi::Device& device = *session->device;
   record.device = device.info().name;
   record.deviceType = rhi::deviceTypeName(device.info().type);

@@ -2,11 +2,11 @@
 
 #include <toml++/toml.h>
 
-#include <cstdio>
-#include <fstream>
 #include <set>
 #include <sstream>
 
+#include "base/number.h"
+#include "reports/bounded_file.h"
 #include "suites/harness/builtin_suites.h"
 #include "suites/harness/suite_reader.h"
 #include "suites/scenes/scene_edit.h"
@@ -17,13 +17,9 @@ namespace {
 
 std::pair<uint32_t, uint32_t> sizeOf(const SuiteReader& reader, const toml::node& node,
                                      const std::string& field) {
-  unsigned width = 0, height = 0;
-  int used = 0;
-  const std::string text = reader.text(node, field);
-  if (std::sscanf(text.c_str(), "%ux%u%n", &width, &height, &used) != 2 ||
-      size_t(used) != text.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
-    reader.fail(node, field, "\"WIDTHxHEIGHT\", each 1..16384");
-  return {width, height};
+  const auto size = base::readSize(reader.text(node, field));
+  if (!size) reader.fail(node, field, base::kSizeForm);
+  return *size;
 }
 
 /// Changes of the run's scenes, as the options --camera, --sun and --set-material give them.
@@ -55,7 +51,8 @@ SuiteRun parseRun(const SuiteReader& reader, const toml::node& node, size_t inde
                        "sun", "materials", "motion"});
   Selection base;
   base.scenes = reader.texts(reader.need(*table, field, "scenes"), field + ".scenes");
-  base.techniques = reader.texts(reader.need(*table, field, "techniques"), field + ".techniques");
+  if (const auto* n = table->get("techniques"))
+    base.techniques = reader.texts(*n, field + ".techniques");
   if (const auto* n = table->get("backends")) base.backends = reader.texts(*n, field + ".backends");
   if (const auto* n = table->get("size")) base.size = sizeOf(reader, *n, field + ".size");
   base.edits = editsOf(reader, *table, field);
@@ -97,7 +94,7 @@ StabilityRun parseStability(const SuiteReader& reader, const toml::node& node, s
   StabilityRun run{.where = reader.at(node) + ": " + field};
   run.variants = variants(reader, *table, field);
   if (const auto* n = table->get("seeds"))
-    run.seeds = uint32_t(reader.number(*n, field + ".seeds", 0));
+    run.seeds = uint32_t(reader.number(*n, field + ".seeds", kSeedCount));
   if (const auto* n = table->get("cases")) run.cases = reader.texts(*n, field + ".cases");
   if (const auto* n = table->get("techniques"))
     run.techniques = reader.texts(*n, field + ".techniques");
@@ -134,10 +131,10 @@ Suite parseSuite(std::string_view text, const std::string& file) {
                       {"title", "seeds", "budget", "precision", "run", "stability", "figure"});
   Suite suite{.name = file};
   if (const auto* n = root.get("title")) suite.title = reader.text(*n, "title");
-  if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", 0));
-  if (const auto* n = root.get("budget")) suite.budgetSeconds = reader.number(*n, "budget", 0);
+  if (const auto* n = root.get("seeds")) suite.seeds = uint32_t(reader.number(*n, "seeds", kSeedCount));
+  if (const auto* n = root.get("budget")) suite.budgetSeconds = reader.number(*n, "budget", kBudgetSeconds);
   if (const auto* n = root.get("precision"))
-    suite.precisionPercent = reader.number(*n, "precision", 0);
+    suite.precisionPercent = reader.number(*n, "precision", kPrecisionPercent);
   if (!root.get("run") && !root.get("stability"))
     throw InputError(file, "has no [[run]] and no [[stability]]");
   reader.eachTable(root, "", "run", [&](const toml::node& node, size_t i) {
@@ -162,11 +159,12 @@ Suite loadSuite(const std::string& nameOrFile) {
   if (!nameOrFile.ends_with(".toml"))
     throw InputError("--suite", unknownName("suite", nameOrFile, builtinSuites()) +
                                     " (or a file that ends in .toml)");
-  std::ifstream in(nameOrFile, std::ios::binary);
-  if (!in) throw InputError("--suite", "cannot read " + nameOrFile);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parseSuite(text.str(), nameOrFile);
+  try {
+    return parseSuite(report::readBounded(nameOrFile, kSuiteBytes), nameOrFile);
+  } catch (const std::runtime_error& e) {
+    if (dynamic_cast<const InputError*>(&e)) throw;
+    throw InputError("--suite", e.what());
+  }
 }
 
 std::vector<CellId> suiteCells(const Suite& suite, const Selection& over,

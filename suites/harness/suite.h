@@ -3,7 +3,7 @@
 //   seeds = 64                       optional; as are budget (seconds a cell), precision (percent)
 //   [[run]]                          at least one
 //   scenes = ["layers", ...]         as on the command line
-//   techniques = ["CSSM2", ...]      TECHNIQUE[+TRANSPARENCY]
+//   techniques = ["CSSM2", ...]      optional: TECHNIQUE[+TRANSPARENCY]; without it all
 //   backends = ["vulkan", ...]       optional
 //   size = "512x512"                 optional
 //   set.kernel = 3                   optional: the same for all cells
@@ -26,10 +26,22 @@
 #include <string_view>
 #include <vector>
 
+#include "base/number.h"
 #include "suites/harness/selection.h"
 #include "suites/harness/suite_figures.h"
 
 namespace sb {
+
+/// What numbers of a suite and of the command line must be.
+inline constexpr base::NumberRule kSeedCount{.low = 1, .high = 65536, .whole = true};
+inline constexpr base::NumberRule kBudgetSeconds{.low = 0, .high = 1e6, .above = true};
+inline constexpr base::NumberRule kPrecisionPercent{.low = 0, .high = 1e6, .above = true};
+/// Where neither the command line nor a suite says it.
+inline constexpr double kDefaultBudgetSeconds = 3;
+inline constexpr double kDefaultPrecisionPercent = 5;
+inline constexpr uint32_t kDefaultSeeds = 64;
+/// Longest file of a suite.
+inline constexpr uint64_t kSuiteBytes = uint64_t(4) << 20;
 
 struct SuiteRun {
   std::string where;                  ///< "FILE:line: run N", for errors

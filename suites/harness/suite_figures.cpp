@@ -1,8 +1,9 @@
 #include "suites/harness/suite_figures.h"
 
 #include <algorithm>
-#include <regex>
+#include <stdexcept>
 
+#include "base/pattern.h"
 #include "reports/figures/cells.h"
 #include "reports/figures/measure.h"
 #include "suites/harness/suite.h"
@@ -37,8 +38,8 @@ std::string word(const SuiteReader& reader, const toml::node& node, const std::s
 std::string regex(const SuiteReader& reader, const toml::node& node, const std::string& field) {
   std::string text = reader.text(node, field);
   try {
-    const std::regex compiled(text);
-  } catch (const std::regex_error& e) {
+    base::Pattern::regex(text);
+  } catch (const std::invalid_argument& e) {
     throw InputError(reader.at(node) + ": " + field,
                      "'" + text + "' is no regular expression: " + e.what());
   }
@@ -54,7 +55,7 @@ std::string measure(const SuiteReader& reader, const toml::node& node, const std
 std::optional<double> numberAt(const SuiteReader& reader, const toml::table& table,
                                const std::string& field, const char* key) {
   const auto* node = table.get(key);
-  return node ? std::optional(reader.number(*node, field + "." + key, -1e300)) : std::nullopt;
+  return node ? std::optional(reader.number(*node, field + "." + key, {})) : std::nullopt;
 }
 
 report::FigureStatement parseStatement(const SuiteReader& reader, const toml::node& node,
@@ -83,7 +84,7 @@ report::FigureStatement parseStatement(const SuiteReader& reader, const toml::no
                      right ? "has both a right side and a number" : "lacks right, or number");
   s.relation = word(reader, reader.need(t, field, "relation"), field + ".relation",
                     {"less", "more", "about"});
-  if (const auto* n = t.get("factor")) s.factor = reader.number(*n, field + ".factor", 0);
+  if (const auto* n = t.get("factor")) s.factor = reader.number(*n, field + ".factor", {.low = 0, .above = true});
   s.otherwise = neededText(reader, t, field, "otherwise");
   return s;
 }

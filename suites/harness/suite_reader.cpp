@@ -1,7 +1,6 @@
 #include "suites/harness/suite_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -44,13 +43,10 @@ std::string SuiteReader::text(const toml::node& node, const std::string& field) 
   fail(node, field, "a text");
 }
 
-double SuiteReader::number(const toml::node& node, const std::string& field, double low) const {
+double SuiteReader::number(const toml::node& node, const std::string& field,
+                           const base::NumberRule& rule) const {
   const auto value = node.value<double>();
-  if (!value || !(*value > low) || !std::isfinite(*value)) {
-    char least[32];
-    std::snprintf(least, sizeof least, "%g", low);
-    fail(node, field, std::string("a number above ") + least);
-  }
+  if (!value || !base::allows(rule, *value)) fail(node, field, base::describe(rule));
   return *value;
 }
 

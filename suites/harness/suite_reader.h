@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/number.h"
+
 namespace sb {
 
 class SuiteReader {
@@ -27,8 +29,8 @@ class SuiteReader {
 
   const toml::table& table(const toml::node& node, const std::string& field) const;
   std::string text(const toml::node& node, const std::string& field) const;
-  /// Finite and above `low`.
-  double number(const toml::node& node, const std::string& field, double low) const;
+  double number(const toml::node& node, const std::string& field,
+                const base::NumberRule& rule) const;
   /// A knob's value: a text or a number.
   std::string value(const toml::node& node, const std::string& field) const;
   Texts texts(const toml::node& node, const std::string& field) const;

@@ -2,10 +2,9 @@
 #include "suites/scenes/procedural.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/number.h"
 #include "suites/scenes/gltf_loader.h"
 #include "suites/scenes/procedural_scenes.h"
 #include "suites/scenes/scene_edit.h"
@@ -41,14 +40,8 @@ SplitSpec splitSpec(std::string_view spec) {
   return {spec.substr(0, mark), parseEdits(spec.substr(mark + 1))};
 }
 
-// Shortest text that reads back as the same number.
-std::string numberText(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
 std::string valueText(const SceneParam& param, double value) {
-  return param.choices.empty() ? numberText(value) : param.choices.at(size_t(value));
+  return param.choices.empty() ? base::numberText(value) : param.choices.at(size_t(value));
 }
 
 double parseValue(const std::string& where, const SceneParam& param, const std::string& text) {
@@ -58,16 +51,12 @@ double parseValue(const std::string& where, const SceneParam& param, const std::
       throw InputError(where, unknownName("value of " + param.name, text, param.choices));
     return double(found - param.choices.begin());
   }
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool number = error == std::errc() && end == text.data() + text.size();
-  if (!number || !(value >= param.low && value <= param.high) ||
-      (param.whole && std::floor(value) != value))
-    throw InputError(where, param.name + " is '" + text + "', expected a " +
-                                (param.whole ? "whole number" : "number") + " from " +
-                                numberText(param.low) + " to " + numberText(param.high) +
+  const base::NumberRule rule{.low = param.low, .high = param.high, .whole = param.whole};
+  const auto value = base::readNumber(text, rule);
+  if (!value)
+    throw InputError(where, param.name + " is '" + text + "', expected " + base::describe(rule) +
                                 (param.unit.empty() ? "" : " " + param.unit));
-  return value + 0.0;  // -0 is 0
+  return *value;
 }
 
 struct Parsed {

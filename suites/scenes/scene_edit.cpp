@@ -1,10 +1,11 @@
 #include "suites/scenes/scene_edit.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
+#include "base/number.h"
+#include "base/pattern.h"
 #include "suites/scenes/camera_path.h"
 #include "suites/scenes/framing.h"
 #include "techniques/common/error.h"
@@ -45,20 +46,15 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-std::string numberText(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
+using base::numberText;
 
 double parseNumber(const std::string& where, const Key& key, const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() ||
-      !(value >= key.low && value <= key.high))
-    throw InputError(where, std::string(key.name) + " holds '" + text +
-                                "', expected a number from " + numberText(key.low) + " to " +
-                                numberText(key.high));
-  return value + 0.0;  // -0 is 0
+  const base::NumberRule rule{.low = key.low, .high = key.high};
+  const auto value = base::readNumber(text, rule);
+  if (!value)
+    throw InputError(where, std::string(key.name) + " holds '" + text + "', expected " +
+                                base::describe(rule));
+  return *value;
 }
 
 SceneEdit parseEdit(const std::string& text) {
@@ -160,9 +156,10 @@ void editMotion(Scene& scene, const SceneEdit& edit) {
 void editMaterials(Scene& scene, const SceneEdit& edit) {
   size_t matched = 0;
   std::vector<std::string> names;
+  const base::Pattern wanted = base::Pattern::glob(edit.target);
   for (Material& m : scene.materials) {
     names.push_back(m.name);
-    if (!matchesGlob(edit.target, m.name)) continue;
+    if (!wanted.found(m.name)) continue;
     ++matched;
     m.opticsOverride = true;
     m.overrideAlpha = float((*find(edit, "alpha"))[0]);
@@ -173,15 +170,6 @@ void editMaterials(Scene& scene, const SceneEdit& edit) {
 }
 
 }  // namespace
-
-bool matchesGlob(std::string_view glob, std::string_view name) {
-  if (glob.empty()) return name.empty();
-  if (glob.front() == '*')
-    return matchesGlob(glob.substr(1), name) ||
-           (!name.empty() && matchesGlob(glob, name.substr(1)));
-  return !name.empty() && (glob.front() == '?' || glob.front() == name.front()) &&
-         matchesGlob(glob.substr(1), name.substr(1));
-}
 
 std::vector<SceneEdit> parseEdits(std::string_view text) {
   std::vector<SceneEdit> edits;

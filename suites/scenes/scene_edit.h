@@ -28,7 +28,4 @@ std::string canonicalEdits(const std::vector<SceneEdit>& edits);
 /// Throws InputError when a glob matches no material.
 void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits);
 
-/// * stands for any characters, ? for one.
-bool matchesGlob(std::string_view glob, std::string_view name);
-
 }  // namespace sb

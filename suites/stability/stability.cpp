@@ -1,10 +1,11 @@
 #include "suites/stability/stability.h"
 
 #include <algorithm>
-#include <regex>
 #include <set>
 
+#include "backends/rhi/memory_limit.h"
 #include "suites/harness/cell.h"
+#include "suites/harness/selection.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -105,13 +106,7 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
   std::vector<std::string> ids = selection.cases;
   if (ids.empty())
     for (const StabilityCase& c : stabilityCases()) ids.push_back(c.id);
-  std::regex wanted;
-  try {
-    wanted = std::regex(selection.filter);
-  } catch (const std::regex_error& e) {
-    throw InputError("--filter",
-                     "'" + selection.filter + "' is no regular expression: " + e.what());
-  }
+  const base::Pattern wanted = parseFilter(selection.filter);
   std::vector<StabilityJob> jobs;
   for (const std::string& id : ids) {
     const StabilityCase& c = caseOf(id);
@@ -120,7 +115,7 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
         for (const std::string& backend : selection.backends) {
           StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds};
           if (!concerns(c, technique) || !hasKnobs(job)) continue;
-          if (std::regex_search(jobName(job), wanted)) jobs.push_back(std::move(job));
+          if (wanted.found(jobName(job))) jobs.push_back(std::move(job));
         }
   }
   return jobs;
@@ -140,6 +135,12 @@ report::StabilityRecord skippedStability(const StabilityJob& job, const std::str
           .breaksAt = {},
           .verdict = report::Verdict::Skipped,
           .why = why};
+}
+
+report::StabilityRecord failedStability(const StabilityJob& job, const std::string& why) {
+  report::StabilityRecord record = skippedStability(job, why);
+  record.verdict = report::Verdict::Fail;
+  return record;
 }
 
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
@@ -166,7 +167,11 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
       if (const std::string why = whyItBreaks(*info, job); !why.empty()) found.expected = why;
     report::judge(record, found.expected);
   } catch (const rhi::Error& error) {
-    return skippedStability(job, error.what());
+    // What a device says it lacks is no failure; anything else that a driver refuses is.
+    if (rhi::isDeviceLost(error)) throw;
+    if (rhi::isTooLarge(error)) return skippedStability(job, rhi::whyTooLarge(error));
+    if (rhi::isDeclaredLack(error)) return skippedStability(job, error.what());
+    return failedStability(job, error.what());
   }
   return record;
 }

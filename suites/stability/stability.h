@@ -36,9 +36,12 @@ struct StabilitySelection {
 std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection);
 
 /// Runs one, on a device of the job's backend; `other`: of another API, or null. What the device
-/// refuses gives a record that is skipped with the reason. `quick`: fewer and smaller points.
+/// declares that it lacks, or has no memory for, gives a record that is skipped with the reason; any
+/// other refusal is a failure. Throws rhi::Error when the device is lost. `quick`: fewer and smaller points.
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
                                      const DeviceContext* other, bool quick);
+/// The record of a job that could not be run to its end.
+report::StabilityRecord failedStability(const StabilityJob& job, const std::string& why);
 /// The same for a backend that does not start.
 report::StabilityRecord skippedStability(const StabilityJob& job, const std::string& why);
 

@@ -86,7 +86,8 @@ FrameResult FrameRunner::runOnce(FrameMode mode, const std::function<void(Frame&
   const double wall0 = clockMs(CLOCK_MONOTONIC);
   const double cpu0 = clockMs(CLOCK_PROCESS_CPUTIME_ID);
   const double thread0 = clockMs(CLOCK_THREAD_CPUTIME_ID);
-  rhi::CommandList& commands = m_device.beginFrame();
+  rhi::FrameScope scope(m_device);
+  rhi::CommandList& commands = scope.commands();
   Frame frame(commands, m_queries, mode);
   if (frameStamps || passStamps) commands.timestamp(m_queries.stamps(), 0);
   record(frame);
@@ -94,7 +95,7 @@ FrameResult FrameRunner::runOnce(FrameMode mode, const std::function<void(Frame&
   result.recordMs = clockMs(CLOCK_THREAD_CPUTIME_ID) - thread0;
   result.counters = commands.counters();
   const double submit0 = clockMs(CLOCK_MONOTONIC);
-  const rhi::Ticket ticket = m_device.endFrame();
+  const rhi::Ticket ticket = scope.end();
   result.submitMs = clockMs(CLOCK_MONOTONIC) - submit0;
   m_device.wait(ticket);
   result.wallMs = clockMs(CLOCK_MONOTONIC) - wall0;

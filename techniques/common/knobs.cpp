@@ -2,32 +2,23 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
+#include "base/number.h"
 #include "techniques/common/error.h"
 
 namespace sb {
 namespace {
 
-std::string rangeText(const KnobInfo& info) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%s%s between %g and %g", info.odd ? "an odd " : "a ",
-                info.integer ? "whole number" : "number", info.min, info.max);
-  return text;
-}
-
 std::string canonicalNumber(const KnobInfo& info, const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = !info.integer || value == std::floor(value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-      value < info.min || value > info.max || !whole ||
-      (info.odd && std::fmod(value, 2.0) != 1.0))
-    throw InputError("knob " + info.name, "found '" + text + "', expected " + rangeText(info));
+  const base::NumberRule rule{
+      .low = info.min, .high = info.max, .whole = info.integer, .odd = info.odd};
+  const auto value = base::readNumber(text, rule);
+  if (!value)
+    throw InputError("knob " + info.name,
+                     "found '" + text + "', expected " + base::describe(rule));
   char out[32];
-  std::snprintf(out, sizeof out, "%.9g", value);
+  std::snprintf(out, sizeof out, "%.9g", *value);
   return out;
 }
 
@@ -67,9 +58,14 @@ const std::string& Knobs::text(std::string_view name) const {
   return it->second;
 }
 
-uint32_t Knobs::integer(std::string_view name) const { return uint32_t(std::stoul(text(name))); }
+// As numbers, for a whole one may read "1e+09".
+uint32_t Knobs::integer(std::string_view name) const {
+  return uint32_t(base::readNumber(text(name), {.low = 0, .high = UINT32_MAX, .whole = true}).value());
+}
 
-float Knobs::number(std::string_view name) const { return std::stof(text(name)); }
+float Knobs::number(std::string_view name) const {
+  return float(base::readNumber(text(name), {}).value());
+}
 
 std::string Knobs::nameSuffix() const {
   std::string out;

@@ -96,7 +96,8 @@ uint32_t LightPeel::countLayers(const Context& context, ShadowMaps& maps, const 
                  true);
   const rhi::ColorAttachment target{.view = {.texture = counts}};
   const rhi::ResourceUse reads[] = {rhi::use(maps.depth().id(), rhi::Access::Sampled)};
-  rhi::CommandList& commands = context.device.beginFrame();
+  rhi::FrameScope frame(context.device);
+  rhi::CommandList& commands = frame.commands();
   {
     rhi::PassScope pass = commands.beginPass(
         {.label = "shadow map", .depth = maps.depthAttachment(maps.views()[group.view])});
@@ -107,7 +108,7 @@ uint32_t LightPeel::countLayers(const Context& context, ShadowMaps& maps, const 
         {.label = "layers counted", .colors = std::span(&target, 1), .reads = reads});
     draws.draw(commands, pipeline, group.instances);
   }
-  context.device.wait(context.device.endFrame());
+  frame.endAndWait();
   float most = 0;  // exact up to 2048
   for (const float count : halfToFloat(context.device.read(counts))) most = std::max(most, count);
   return uint32_t(most);

@@ -32,9 +32,9 @@ bool add(TransparencyEntry entry);
 }  // namespace detail
 
 /// Line at the end of a technique's file. `Type` derives from ShadowTechnique or
-/// TransparencyTechnique; `infoExpression` is its TechniqueInfo.
-#define REGISTER_TECHNIQUE(Base, Type, infoExpression)                                         \
-  [[maybe_unused]] const bool kRegistered##Type = sb::detail::add(                             \
-      sb::Registered<sb::Base>{infoExpression, [] { return std::unique_ptr<sb::Base>(new Type); }})
+/// TransparencyTechnique; what follows is its TechniqueInfo, whose commas are the macro's too.
+#define REGISTER_TECHNIQUE(Base, Type, ...)                        \
+  [[maybe_unused]] const bool kRegistered##Type = sb::detail::add( \
+      sb::Registered<sb::Base>{__VA_ARGS__, [] { return std::unique_ptr<sb::Base>(new Type); }})
 
 }  // namespace sb

@@ -146,7 +146,8 @@ rhi::Texture ShadowMaps::createLike(const Context& context, const std::string& l
 void ShadowMaps::clear(const Context& context, const rhi::Texture& map) {
   const rhi::TextureDesc& desc = context.device.textureDesc(map);
   const bool depth = rhi::formatInfo(desc.format).depth;
-  rhi::CommandList& commands = context.device.beginFrame();
+  rhi::FrameScope frame(context.device);
+  rhi::CommandList& commands = frame.commands();
   for (uint32_t layer = 0; layer < desc.layers; ++layer) {
     const rhi::TextureView view{
         .texture = map, .baseMip = 0, .mipCount = 1, .baseLayer = layer, .layerCount = 1};
@@ -155,7 +156,7 @@ void ShadowMaps::clear(const Context& context, const rhi::Texture& map) {
     if (depth) pass.depth = rhi::DepthAttachment{.view = view, .clearDepth = 0};
     const rhi::PassScope scope = commands.beginPass(pass);
   }
-  context.device.wait(context.device.endFrame());
+  frame.endAndWait();
 }
 
 rhi::Binding ShadowMaps::passBlock(size_t view) const {

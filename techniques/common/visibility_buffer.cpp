@@ -78,10 +78,11 @@ VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
   std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
   if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
   if (layer > 1) reads.push_back(rhi::use(previous, rhi::Access::Sampled));
-  rhi::CommandList& commands = m_context.device.beginFrame();
+  rhi::FrameScope frame(m_context.device);
+  rhi::CommandList& commands = frame.commands();
   commands.write(m_pass, 0, std::as_bytes(std::span(ids)));
   recordLayer(commands, layer, draws, reads);
-  m_context.device.wait(m_context.device.endFrame());
+  frame.endAndWait();
   const auto bytes = m_context.device.read(m_target);
   VisibilityImage image(bytes.size() / sizeof(float));
   std::memcpy(image.data(), bytes.data(), bytes.size());

@@ -105,7 +105,7 @@ class Names(Case):
                        "--no-truth", "render", "truth", "cache", "report", "doctor",
                        "Exit code"):
             self.assertIn(option, text)
-        self.assertRegex(self.ok("--version").stdout, r"^\d+\.\d+\.\d+\n$")
+        self.assertRegex(self.ok("--version").stdout, r"^ShadowBench \d+\.\d+\.\d+\n")
 
     def test_sweeps_and_filters(self):
         names = self.ok("--list", "--technique", "ShadowMap,none", "--backend", "vulkan", "--scene",

@@ -64,6 +64,7 @@ class Readme(Case):
         scene = self.path("scene.glb")
         self.ok("scene", "teapot", "--export", scene)
         commands = 0
+        before = self.source_files()
         for line in "".join(blocks).splitlines():
             words = shlex.split(line, comments=True)
             if not words or words[0] != "./bench":
@@ -81,6 +82,15 @@ class Readme(Case):
             with self.subTest(line):
                 self.ok(*words, cwd=self.folder, timeout=400)
         self.assertGreater(commands, 5)
+        self.assertEqual(self.source_files(), before)
+
+    @staticmethod
+    def source_files():
+        found = set()
+        for folder, folders, files in os.walk(SOURCE):
+            folders[:] = [f for f in folders if f != ".git" and not f.startswith("build")]
+            found |= {os.path.join(folder, f) for f in files}
+        return found
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -215,6 +216,29 @@ TEST(Groups, BackendsOfACellStayTogether) {
       if (!c.companion) backends.insert(c.backend);
     EXPECT_EQ(backends.size(), 3u);
   }
+}
+
+TEST(Selection, ANameFindsItselfWhateverItMeansAsAnExpression) {
+  const std::vector<std::string> names = {
+      "CSSM2/vulkan/layers/512x512", "CSSM2+DepthPeeling/vulkan/layers/512x512",
+      "none/vulkan/layers?*:alpha=0.5/512x512", "none/vulkan/layers/32x32",
+      "none/vulkan/layers/32x320"};
+  for (const std::string& name : names) {
+    const NameFilter filter({.filter = name, .size = {}}, names);
+    for (const std::string& other : names) EXPECT_EQ(filter.keeps(other), other == name) << name;
+  }
+  const auto kept = [&](const std::string& text, bool exclude = false) {
+    const NameFilter filter({.filter = text, .filterExcludes = exclude, .size = {}}, names);
+    return std::ranges::count_if(names, [&](const std::string& n) { return filter.keeps(n); });
+  };
+  EXPECT_EQ(kept(""), 5);
+  EXPECT_EQ(kept("CSSM2+Depth"), 1);      // as it stands
+  EXPECT_EQ(kept("layers?*:alpha"), 1);   // no expression at all
+  EXPECT_EQ(kept("^CSSM2.*/layers/"), 2);
+  EXPECT_EQ(kept("32x32", true), 3);
+  EXPECT_THROW(kept("("), InputError);
+  EXPECT_THROW(kept("nothing"), InputError);
+  EXPECT_THROW(kept("/", true), InputError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "techniques/common/error.h"
+#include "techniques/common/registry.h"
 
 namespace sb {
 namespace {
@@ -66,6 +67,28 @@ TEST(Suite, ArgumentsReplaceBackendsAndSizeAndFilter) {
             (std::vector<std::string>{"none/opengl-osmesa/window/8x4"}));
 }
 
+TEST(Suite, QuickIsEveryTechniqueOnTheScenesThatStandInForNone) {
+  const Suite quick = loadSuite("quick");
+  const auto cells = suiteCells(quick, {}, kKnown, kDefault);
+  std::set<std::string> scenes, techniques;
+  for (const CellId& id : cells) {
+    scenes.insert(id.scene);
+    techniques.insert(id.technique);
+    EXPECT_EQ(std::pair(id.width, id.height), std::pair(256u, 256u));
+  }
+  EXPECT_EQ(scenes, std::set<std::string>(quickScenes().begin(), quickScenes().end()));
+  EXPECT_EQ(techniques.size(), shadowTechniques().size() + 1);  // and the tracer
+}
+
+TEST(Suite, GridsThatMultiplyBeyondReasonAreRefusedBeforeTheyAreMade) {
+  std::string values;
+  for (int i = 0; i < 1000; ++i) values += (i ? "," : "") + std::to_string(i + 64);
+  EXPECT_NE(errorOf("[[run]]\nscenes=['layers']\ntechniques=['CSSM2']\ngrid.size=[" + values +
+                    "]\ngrid.kernel=[" + values + "]")
+                .find("more than 100000 cells"),
+            std::string::npos);
+}
+
 TEST(Suite, SettingsOfTheMeasurement) {
   const Suite suite = parseSuite(
       "title = 't'\nseeds = 3\nbudget = 0.5\nprecision = 2\n[[run]]\nscenes=['layers']\n"
@@ -84,10 +107,15 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
       {"\nseeds = 'many'\n", "s.toml:2: seeds: found"},
       {"budget = -1", "s.toml:1: budget: found -1"},
       {"seeds = nan", "seeds: found nan"},
+      {"seeds = 1e300", ", expected a whole number from 1 to 65536"},
+      {"seeds = 0.5", "seeds: found 0.5, expected a whole number from 1 to 65536"},
+      {"seeds = 0", "seeds: found 0, expected a whole number from 1 to 65536"},
+      {"budget = inf", "budget: found inf"},
+      {"[[stability]]\nseeds = 0.5", "s.toml:2: stability 1.seeds: found 0.5"},
+      {"[[run]]\nscenes=['layers']\nsize='4294967297x1'", "s.toml:3: run 1.size"},
       {"tilte = 'x'", "s.toml:1: unknown field 'tilte'"},
       {"run = 3", "run: found 3, expected tables [[run]]"},
       {"[[run]]\ntechniques=['none']", "s.toml:1: run 1: lacks scenes"},
-      {"[[run]]\nscenes=['layers']\n", "run 1: lacks techniques"},
       {"[[run]]\nscenes='layers'\ntechniques=['none']", "s.toml:2: run 1.scenes: found 'layers'"},
       {"[[run]]\nscenes=[]\ntechniques=['none']", "a list with at least one entry"},
       {"[[run]]\nscenes=['layers', 3]\ntechniques=['none']", "run 1.scenes: found 3, expected a text"},

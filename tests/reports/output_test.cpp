@@ -125,8 +125,32 @@ TEST(Output, CsvReadsBack) {
   EXPECT_EQ(field(2, "cross_backend_over_1_255"), "17");
   EXPECT_EQ(field(3, "status"), "skipped");
   EXPECT_EQ(field(3, "draw_count"), "");
-  EXPECT_EQ(field(4, "reason"), "3 values of the picture are not finite,\nor so");
+  EXPECT_EQ(field(4, "reason"), "3 values of the picture are not finite, or so");
   EXPECT_EQ(field(4, "frame_ms_median"), "");
+}
+
+// What a file calls its things can be a formula, or act on a terminal.
+TEST(Output, TextsOfTablesDoNothing) {
+  report::Run run = sampleRun();
+  run.records.resize(1);
+  Record& r = run.records.front();
+  const std::pair<const char*, const char*> kTexts[] = {
+      {"=1+1", "'=1+1"},         {"@SUM(A1)", "'@SUM(A1)"}, {"-cmd", "'-cmd"},
+      {"+x", "'+x"},             {"-1.5", "-1.5"},          {"a=1", "a=1"},
+      {"a\x1b[31m", "a\\x1b[31m"}, {"a\rb\tc", "a b c"}};
+  for (const auto& [text, shown] : kTexts) {
+    r.scene = text;
+    const auto rows = readCsv(toCsv(run));
+    const auto column = std::ranges::find(rows[0], "scene") - rows[0].begin();
+    EXPECT_EQ(rows.at(1).at(size_t(column)), shown);
+  }
+}
+
+TEST(Output, TextsThatAreNoUtf8CostNothing) {
+  report::Run run = sampleRun();
+  run.records.front().scene = "a\xff";
+  run.records.front().warnings = {"material '\xc3'"};
+  EXPECT_NE(toJson(run).find("\"scene\": \"a\xef\xbf\xbd\""), std::string::npos);
 }
 
 }  // namespace

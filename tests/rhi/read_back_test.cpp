@@ -175,3 +175,14 @@ GPU_TEST(ReadBack, PartsOfBuffers) {
   EXPECT_EQ(fromBytes<uint32_t>(device().read(buffer, 4, 12)), (std::vector<uint32_t>{20, 30, 4}));
   EXPECT_EQ(readAll<uint32_t>(device(), buffer), (std::vector<uint32_t>{1, 20, 30, 4}));
 }
+
+// Sizes of 2 GiB do not fit the calls of OpenGL: large reads come in parts, this one in two.
+GPU_TEST(ReadBack, LargeTexturesComeBackWhole) {
+  constexpr uint32_t kSide = 4096, kRows = 4500;
+  rhi::Texture texture =
+      texture2D(device(), rhi::Format::R32Uint, kSide, kRows, rhi::TextureUse::Sampled);
+  std::vector<uint32_t> values(size_t(kSide) * kRows);
+  for (size_t i = 0; i < values.size(); ++i) values[i] = uint32_t(i * 2654435761u);
+  device().upload(texture, {}, bytesOf(values));
+  EXPECT_TRUE(readTexels<uint32_t>(device(), texture) == values);
+}

@@ -86,14 +86,6 @@ TEST(SceneEdit, MaterialsByGlob) {
   }
 }
 
-TEST(SceneEdit, Globs) {
-  EXPECT_TRUE(matchesGlob("fabric*", "fabric_e"));
-  EXPECT_TRUE(matchesGlob("*", ""));
-  EXPECT_TRUE(matchesGlob("a?c*e", "abcdde"));
-  EXPECT_FALSE(matchesGlob("a?c", "ac"));
-  EXPECT_FALSE(matchesGlob("fabric", "fabric_e"));
-}
-
 TEST(SceneEdit, WrongOnesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"layers?", "expected camera:..., sun:..., motion:... or MATERIAL"},

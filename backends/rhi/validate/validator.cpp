@@ -89,6 +89,11 @@ void Validator::beginFrame() {
   m_state->usedQueries.clear();
 }
 
+void Validator::abandonFrame() {
+  m_state->pass.reset();
+  m_state->openQueries.clear();
+}
+
 void Validator::beginPass(const PassDesc& desc) {
   m_state->pass = ActivePass{desc.label,
                              desc.compute,

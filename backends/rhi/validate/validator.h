@@ -41,6 +41,7 @@ class Validator : public Observer {
   void destroyed(QueryPoolId id) override;
 
   void beginFrame() override;
+  void abandonFrame() override;
   void beginPass(const PassDesc& desc) override;
   void endPass() override;
   void draw(const DrawState& state, const DrawArgs& args) override;

@@ -1,0 +1,27 @@
+// Text from files and arguments on its way to a terminal, a table or a shell.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace base {
+
+bool isUtf8(std::string_view text);
+
+/// Fit for one line of a terminal: control characters, marks that reorder text, and bytes that are
+/// no UTF-8 stand as \xNN of their bytes.
+std::string printable(std::string_view text);
+
+/// The same for several lines: line feeds stay.
+std::string printableLines(std::string_view text);
+
+/// Longest line of an error, in bytes.
+inline constexpr size_t kErrorLine = 300;
+/// `printable`, and never longer than `kErrorLine`: the middle gives way, for the ends say where
+/// and what was expected.
+std::string errorLine(std::string_view text);
+
+/// One word for a shell: as it is, or quoted; characters that a terminal acts upon as $'\xNN'.
+std::string shellWord(std::string_view text);
+
+}  // namespace base

@@ -1,0 +1,97 @@
+#include "suites/cli/run_plan.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/number.h"
+#include "suites/cli/commands.h"
+#include "suites/cli/stability_runs.h"
+#include "suites/truth/truth_cache.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+/// Without cells named one by one, the suite `quick`.
+std::string suiteOf(const Options& options) {
+  const Selection& s = options.selection;
+  if (!options.suite.empty()) return options.suite;
+  const bool named =
+      !(s.techniques.empty() && s.scenes.empty() && s.sets.empty() && s.edits.empty());
+  return named ? "" : "quick";
+}
+
+MeasureSettings settingsOf(const Options& options, const Suite& suite) {
+  MeasureSettings s;
+  s.budgetSeconds =
+      options.budgetSeconds.value_or(suite.budgetSeconds.value_or(kDefaultBudgetSeconds));
+  s.budgetSeconds = std::max(s.budgetSeconds, options.benchmark.minSeconds);
+  s.stop.precision = options.precisionPercent.value_or(
+                         suite.precisionPercent.value_or(kDefaultPrecisionPercent)) /
+                     100;
+  // A minimum of time is a wish for more than precision alone would give.
+  if (options.benchmark.minSeconds > 0) s.stop.precision = 0;
+  s.stop.repetitions = options.benchmark.repetitions;
+  s.judge.enabled = options.truth;
+  s.judge.seeds = options.seeds.value_or(suite.seeds.value_or(kDefaultSeeds));
+  if (options.cache) s.judge.cache = truthCacheFolder();
+  return s;
+}
+
+}  // namespace
+
+RunPlan planRun(const Options& options, const std::vector<std::string>& known) {
+  const std::vector<std::string> defaults = defaultBackends(options);
+  RunPlan plan{.suite = suiteOf(options)};
+  Suite suite;
+  if (plan.suite.empty()) {
+    plan.cells = selectCells(options.selection, known, defaults);
+  } else {
+    suite = loadSuite(plan.suite);
+    // Cells and hard cases are filtered together: a name may be of either.
+    Selection all = options.selection;
+    all.filter.clear();
+    const auto cells = suiteCells(suite, all, known, defaults);
+    const auto jobs = stabilityJobs(suite, all, defaults);
+    std::vector<std::string> names;
+    for (const CellId& id : cells) names.push_back(cellName(id));
+    for (const StabilityJob& job : jobs) names.push_back(jobName(job));
+    const NameFilter filter(options.selection, names);
+    std::ranges::copy_if(cells, std::back_inserter(plan.cells),
+                         [&](const CellId& id) { return filter.keeps(cellName(id)); });
+    std::ranges::copy_if(jobs, std::back_inserter(plan.jobs),
+                         [&](const StabilityJob& job) { return filter.keeps(jobName(job)); });
+    plan.figures = suiteFigures(suite, options.selection, known, defaults);
+  }
+  plan.settings = settingsOf(options, suite);
+  return plan;
+}
+
+std::string describePlan(const RunPlan& plan, const report::Run& run) {
+  std::set<std::string> sizes, backends;
+  for (const CellId& id : plan.cells) {
+    sizes.insert(std::to_string(id.width) + "x" + std::to_string(id.height));
+    backends.insert(id.backend);
+  }
+  for (const StabilityJob& job : plan.jobs) backends.insert(job.backend);
+  const auto listed = [](const std::set<std::string>& words) {
+    std::string out;
+    for (const std::string& w : words) out += (out.empty() ? "" : ", ") + w;
+    return out;
+  };
+  const MeasureSettings& s = plan.settings;
+  std::string text = std::to_string(plan.cells.size()) + " cells";
+  if (!plan.jobs.empty()) text += " and " + std::to_string(plan.jobs.size()) + " hard cases";
+  if (!plan.suite.empty()) text += " of the suite " + plan.suite;
+  text += " on " + listed(backends);
+  if (!sizes.empty()) text += ", size " + listed(sizes);
+  if (s.stop.repetitions > 0)
+    text += ", " + std::to_string(s.stop.repetitions) + " repetitions";
+  else
+    text += ", budget " + base::numberText(s.budgetSeconds) + " s a cell, precision " +
+            base::numberText(100 * s.stop.precision) + " %";
+  text += s.judge.enabled ? ", " + std::to_string(s.judge.seeds) + " seeds" : ", no truth";
+  return text + "; " + run.buildType + " build " + run.version + " (" + run.commit + ")";
+}
+
+}  // namespace sb

@@ -1,0 +1,195 @@
+#include "suites/cli/session.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/number.h"
+#include "base/text.h"
+#include "reports/atomic_file.h"
+#include "reports/html/html.h"
+#include "suites/cli/say.h"
+#include "suites/harness/scene_hash.h"
+#include "suites/scenes/procedural.h"
+#include "suites/truth/truth_cache.h"
+#include "techniques/common/error.h"
+
+namespace sb {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool keepsJson(const Options& o) {
+  return !o.jsonFile.empty() && !report::isSpecialFile(o.jsonFile);
+}
+
+/// Of runs without a JSON file to lie beside.
+fs::path ownFolder(const report::Run& run) {
+  std::string stamp = run.date.substr(0, 19);
+  std::erase(stamp, ':');
+  return truthCacheFolder().parent_path() / "runs" / (stamp + "-" + std::to_string(getpid()));
+}
+
+/// A journal that holds something is somebody's results.
+void setAside(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  try {
+    const JournalContent content = readJournal(path);
+    if (content.cells.empty() && content.hardCases.empty() && content.blocks.empty()) return;
+  } catch (const InputError&) {
+    // Not ours to judge: kept.
+  }
+  fs::path old = path;
+  old += ".old";
+  fs::rename(path, old, error);
+  if (error) throw InputError("journal", "cannot move " + path.string() + ": " + error.message());
+  say("found the journal of a run that ended early; it is " + old.string() + " now (--resume)");
+}
+
+}  // namespace
+
+fs::path journalToResume(const Options& options) {
+  if (options.resumeFile.empty() && !keepsJson(options))
+    throw InputError("--resume", "found neither a file nor --json, expected a journal or results");
+  const fs::path named = options.resumeFile.empty() ? options.jsonFile : options.resumeFile;
+  std::error_code error;
+  if (named.extension() != ".json" && fs::is_regular_file(named, error)) return named;
+  const fs::path beside = report::journalBeside(named);
+  if (!fs::is_regular_file(beside, error))
+    throw InputError("--resume", "found no journal " + beside.string() +
+                                     ": that run is complete, or there was none");
+  return beside;
+}
+
+Options resolveResume(const Options& given) {
+  if (!given.resume) return given;
+  // Everything but the option itself, its file and --quiet is a run of its own.
+  const bool alone = std::ranges::all_of(given.arguments, [&](const std::string& a) {
+    return a.starts_with("--resume") || a == "--quiet" || a == given.resumeFile;
+  });
+  if (!alone) return given;
+  const JournalHeader header = readJournal(journalToResume(given)).header;
+  if (const std::string here = fs::current_path().string(); here != header.folder)
+    throw InputError("--resume", "the run was started in " + header.folder + ", found " + here +
+                                     ", expected the same folder (or all of its arguments)");
+  auto options = parseOptions(header.arguments);
+  if (!options) throw InputError("--resume", "the journal names no run that measures");
+  options->arguments = header.arguments;
+  options->resume = true;
+  options->resumeFile = fs::absolute(journalToResume(given)).string();
+  options->quiet |= given.quiet;
+  return *options;
+}
+
+JournalHeader describeRun(const Options& options, const MeasureSettings& settings,
+                          const std::vector<CellId>& cells, const std::vector<StabilityJob>& jobs,
+                          Devices& devices, const report::Run& run) {
+  JournalHeader h{.arguments = options.arguments,
+                  .folder = fs::current_path().string(),
+                  .program = run.version + " " + run.commit + " " + run.buildType};
+  h.settings = {{"budget", base::numberText(settings.budgetSeconds)},
+                {"precision", base::numberText(settings.stop.precision)},
+                {"repetitions", std::to_string(settings.stop.repetitions)},
+                {"seeds", std::to_string(settings.judge.seeds)},
+                {"truth", settings.judge.enabled ? "yes" : "no"},
+                {"validation", options.validate ? "yes" : "no"},
+                {"shaders", options.shaderFolder.empty() ? "built-in" : options.shaderFolder}};
+  std::set<std::string> backends;
+  for (const CellId& cell : cells) {
+    h.cells.push_back(cellName(cell));
+    if (!isReference(cell)) backends.insert(cell.backend);
+    const std::string scene = base::printable(cell.scene);
+    if (!h.scenes.contains(scene)) h.scenes[scene] = sceneHash(makeScene(cell.scene));
+  }
+  for (const StabilityJob& job : jobs) {
+    h.hardCases.push_back(jobName(job));
+    backends.insert(job.backend);
+  }
+  for (const std::string& backend : backends) {
+    const DeviceSession* session = devices.open(backend);
+    h.devices[backend] = session ? session->device->info().name + ", " +
+                                       session->device->info().driver + " " +
+                                       session->device->info().driverVersion
+                                 : "none";
+  }
+  return h;
+}
+
+Session::Session(const Options& options, const JournalHeader& header)
+    : m_resumed(options.resume) {
+  if (options.resume) {
+    const fs::path path = journalToResume(options);
+    m_earlier = readJournal(path);
+    const auto different = differences(m_earlier.header, header);
+    if (!different.empty())
+      throw InputError("--resume", path.string() + " is of another run: " + different.front() +
+                                       (different.size() > 1
+                                            ? "; and " + std::to_string(different.size() - 1) +
+                                                  " more differences"
+                                            : ""));
+    if (m_earlier.halfLine) say("the journal's last line was cut off: what it held is done again");
+    m_journal.emplace(path, m_earlier);
+    m_ownsFolder = path.filename() == "run.journal";
+    return;
+  }
+  fs::path path;
+  if (keepsJson(options)) {
+    path = report::journalBeside(options.jsonFile);
+    setAside(path);
+  } else {
+    const fs::path folder = ownFolder(report::describeMachine("bench", ""));
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      throw InputError("journal", "cannot make " + folder.string() + ": " + error.message());
+    path = folder / "run.journal";
+    m_ownsFolder = true;
+  }
+  m_journal.emplace(path, header);
+}
+
+void Session::finish(const fs::path& pictures) {
+  m_journal->remove();
+  if (!m_ownsFolder) return;
+  std::error_code ignored;
+  if (!pictures.empty() && pictures.parent_path() == m_journal->path().parent_path())
+    fs::remove_all(pictures, ignored);
+  fs::remove(m_journal->path().parent_path(), ignored);
+}
+
+std::vector<std::vector<CellId>> groupsLeft(const std::vector<std::vector<CellId>>& groups,
+                                            const JournalContent& earlier) {
+  const auto isDone = [&](const CellId& id) { return earlier.cells.contains(cellName(id)); };
+  std::vector<std::vector<CellId>> left;
+  for (const std::vector<CellId>& group : groups) {
+    std::set<std::string> compared;
+    for (const CellId& id : group) {
+      if (id.companion || isDone(id)) continue;
+      compared.insert(cellName(baselineOf(id)));
+      // The tracer is told against whatever has no shadows.
+      for (const CellId& other : group)
+        if (isReference(id) && other.technique == "none") compared.insert(cellName(other));
+      // The same cell elsewhere.
+      for (CellId other : group) {
+        const std::string name = cellName(other);
+        other.backend = id.backend;
+        if (cellName(other) == cellName(id)) compared.insert(name);
+      }
+    }
+    std::vector<CellId> rest;
+    for (CellId id : group) {
+      const bool done = isDone(id);
+      if (done && !compared.contains(cellName(id))) continue;
+      if (id.companion && !compared.contains(cellName(id))) continue;
+      id.companion |= done;
+      rest.push_back(std::move(id));
+    }
+    if (std::ranges::any_of(rest, [](const CellId& id) { return !id.companion; }))
+      left.push_back(std::move(rest));
+  }
+  return left;
+}
+
+}  // namespace sb

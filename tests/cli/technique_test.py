@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""From nothing to a measured technique: the README's own two files, built and run as they stand."""
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+
+from program import BENCH, FAST, SOURCE, Case, main
+
+BUILD = os.path.dirname(BENCH)
+
+
+def readme_block(name):
+    """The code block that the README shows as the contents of a file."""
+    with open(os.path.join(SOURCE, "README.md")) as file:
+        text = file.read()
+    found = re.search(r"`" + re.escape(name) + r"`:\n\n```\w+\n(.*?)```", text, re.DOTALL)
+    assert found, f"the README shows no {name}"
+    return found.group(1)
+
+
+class AddingATechnique(Case):
+    def compile_line(self, source, output):
+        """As techniques/none.cpp is compiled, for another file."""
+        with open(os.path.join(BUILD, "compile_commands.json")) as file:
+            entry, = [e for e in json.load(file) if e["file"].endswith("/techniques/none.cpp")]
+        words = shlex.split(entry["command"])
+        words[words.index("-o") + 1] = output
+        return [source if w.endswith("/techniques/none.cpp") else w for w in words]
+
+    def link_line(self, extra, output):
+        commands = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", "bench"],
+                                  capture_output=True, text=True, check=True).stdout
+        line = [c for c in commands.splitlines() if " -o bench " in c][-1]
+        line = line.replace(" -o bench ", f" {shlex.quote(extra)} -o {shlex.quote(output)} ")
+        return re.sub(r"^: && (.*?) && :$", r"\1", line)
+
+    def test_the_readme_compiles_as_written_and_is_measured(self):
+        source, shader = "techniques/my_technique.cpp", "shaders/my_technique/visibility.glsl"
+        with open(self.path("my_technique.cpp"), "w") as file:
+            file.write(readme_block(source))
+        shaders = self.path("shaders")
+        shutil.copytree(os.path.join(SOURCE, "shaders"), shaders)
+        os.mkdir(os.path.join(shaders, "my_technique"))
+        with open(self.path(shader), "w") as file:
+            file.write(readme_block(shader))
+        self.build(["-c"], self.compile_line(self.path("my_technique.cpp"), self.path("t.o")))
+        self.build(["link"], ["sh", "-c", self.link_line(self.path("t.o"), self.path("bench"))])
+
+        results = self.path("r.json")
+        run = subprocess.run(
+            [self.path("bench"), "--shaders", shaders, "--technique", "none,MyTechnique",
+             "--scene", "layers", *FAST, "--validate", "--json", results],
+            capture_output=True, text=True, cwd=self.folder, timeout=300)
+        self.assertEqual(run.returncode, 0, run.stderr + run.stdout)
+        with open(results) as file:
+            cells = [e for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"]
+        self.assertEqual({(c["technique"], c["backend"]) for c in cells},
+                         {(t, b) for t in ("none", "MyTechnique") for b in ("vulkan", "opengl")})
+        for cell in cells:
+            self.assertEqual(cell["status"], "ok", cell["reason"])
+            self.assertEqual([w for w in cell["warnings"] if "validation" in w], [])
+            # Half of each light is not what the truth says, in another way than all of it is.
+            self.assertGreater(cell["visibility"]["rmse"], 0.05)
+            if cell["technique"] == "MyTechnique":
+                self.assertLess(cell["visibility"]["bias"], 0)
+
+    def build(self, what, command):
+        result = subprocess.run(command, capture_output=True, text=True, cwd=BUILD)
+        self.assertEqual(result.returncode, 0, f"{what}: {result.stderr}")
+
+
+if __name__ == "__main__":
+    main()
