@@ -36,8 +36,13 @@ bool isBaseline(const Measured& a, const Measured& b, const Record& record) {
 
 report::Ratio ratioOf(const Measured& a, const Measured& b) {
   const bool software = a.software && b.software;
-  report::Ratio ratio =
-      report::pairedRatio(blockMeans(*a.samples, software), blockMeans(*b.samples, software));
+  std::vector<double> mine = blockMeans(*a.samples, software);
+  std::vector<double> other = blockMeans(*b.samples, software);
+  // Blocks of one number ran side by side; a slow cell, or an interruption, leaves some without.
+  const size_t pairs = std::min(mine.size(), other.size());
+  mine.resize(pairs);
+  other.resize(pairs);
+  report::Ratio ratio = report::pairedRatio(mine, other);
   ratio.kind = isSameOnOtherBackend(a.result->id, b.result->id) ? "backend" : "baseline";
   ratio.against = b.result->record.name;
   ratio.of = software ? "cpu_ms" : "frame_ms";
