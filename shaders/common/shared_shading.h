@@ -42,6 +42,12 @@ SHARED vec3 reflectedLight(vec3 albedo, float metallic, float roughness, vec3 n,
   return ((vec3(1.0f) - fresnel) * diffuse + fresnel * (distribution * visibility)) * nl;
 }
 
+// Ambient radiance that reaches a surface with normal `n`: the same from everywhere, and the sky's
+// from above (Scene::sky).
+SHARED vec3 ambientLight(vec3 ambient, vec3 sky, vec3 n) {
+  return ambient + sky * (0.5f + 0.5f * n.y);
+}
+
 // What a light sends to a camera-relative point: `toLight` unit, radiance without occlusion.
 struct Illumination {
   vec3 toLight;

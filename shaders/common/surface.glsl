@@ -69,7 +69,7 @@ vec3 shadeSurface(MaterialData m, Receiver r, vec4 base, vec3 normal, vec4 tange
 
   vec3 n = shadingNormal(m, r, normal, tangent, uv);
   vec3 v = normalize(-r.position);
-  vec3 radiance = emissive + frame.ambient.rgb * base.rgb * occlusion;
+  vec3 radiance = emissive + ambientLight(frame.ambient.rgb, frame.sky.rgb, n) * base.rgb * occlusion;
   for (uint light = 0u; light < frame.counts.x; ++light) {
     Illumination i = illumination(lights[light], r.position);
     // The geometric normal decides sides: no light through a surface, and no lookup for none.

@@ -155,7 +155,7 @@ std::vector<CellId> applyFilter(const std::string& filter, bool exclude,
 
 std::string withEdits(const std::string& scene, const std::vector<std::string>& edits) {
   std::string spec = scene;
-  for (const std::string& edit : edits) spec += (spec.find('?') == spec.npos ? "?" : ";") + edit;
+  for (const std::string& edit : edits) spec = withEdit(spec, edit);
   return spec;
 }
 
