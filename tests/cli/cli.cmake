@@ -1,6 +1,6 @@
 # The real program from outside: arguments, exit codes, files, signals, missing drivers, the README.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-foreach(part input measuring truth world)
+foreach(part input measuring samples truth world)
   add_test(NAME cli.${part}
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/${part}_test.py $<TARGET_FILE:bench>
       ${CMAKE_SOURCE_DIR})
