@@ -1,6 +1,5 @@
 // Checks that relate one part of a glTF file to another: sizes, versions, extensions, trees.
 #include <set>
-#include <utility>
 
 #include "suites/scenes/gltf_check.h"
 
@@ -42,23 +41,6 @@ void checkViews(const GltfSource& source) {
       checkWithin(source, at("bufferViews", i) + ".extensions." + extension,
                   views[i]["extensions"][extension]);
   }
-}
-
-// Memory of the structures themselves, at least: ours and tinygltf's. Counted before anything is
-// made, for an empty object costs three bytes in the file and kilobytes here.
-void checkCounts(GltfSource& source) {
-  constexpr std::pair<const char*, size_t> kCosts[] = {
-      {"accessors", 800}, {"bufferViews", 400}, {"buffers", 200},  {"cameras", 800},
-      {"images", 200},    {"materials", 3000},  {"meshes", 500},   {"nodes", 1000},
-      {"samplers", 300},  {"scenes", 300},      {"textures", 400}, {"skins", 100},
-      {"animations", 100}};
-  for (const auto& [key, bytes] : kCosts) source.take(key, list(source, key).size(), bytes);
-  const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
-  if (source.json.contains(lights))
-    source.take("extensions.KHR_lights_punctual.lights", source.json[lights].size(), 600);
-  const json& meshes = list(source, "meshes");
-  for (size_t m = 0; m < meshes.size(); ++m)
-    source.take(at("meshes", m) + ".primitives", meshes[m]["primitives"].size(), 1000);
 }
 
 // That `count` elements of `bytes` each fit into a buffer view.
@@ -187,7 +169,6 @@ size_t elementBytes(int componentType, const std::string& type) {
 void checkLayout(GltfSource& source) {
   checkAsset(source);
   checkExtensions(source);
-  checkCounts(source);
   checkViews(source);
   checkAccessors(source);
   checkNodes(source);

@@ -127,7 +127,7 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
 void GltfSource::fail(const std::string& field, const std::string& what) const {
   // Each part keeps its share: a path or a name of a thousand letters must not hide the reason.
   const std::string where = shortened(printable(path.string()), 120) + ": " +
-                            shortened(printable(field), 80);
+                            shortened(printable(field), 100);
   throw InputError(where, shortened(printable(what), kMaxErrorBytes - where.size() - 2));
 }
 

@@ -94,8 +94,8 @@ SceneEdit parseEdit(const std::string& text) {
   const size_t equals = text.find('=');
   const size_t colon = equals == text.npos ? text.npos : text.rfind(':', equals);
   if (colon == text.npos || colon == 0)
-    throw InputError(where, "expected camera:..., sun:..., motion:..., ground:..., file:... or "
-                            "MATERIAL:key=value,...");
+    throw InputError(where, "expected camera:..., sun:..., motion:... or MATERIAL:key=value,... "
+                            "(or ground:size=N, file:scene=NAME)");
   SceneEdit edit{.target = text.substr(0, colon), .values = {}, .names = {}};
   const std::vector<Key>& keys = keysOf(edit.target, text.substr(colon + 1, equals - colon - 1));
   const Key* key = nullptr;

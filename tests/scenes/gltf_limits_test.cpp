@@ -87,9 +87,9 @@ TEST_F(GltfLimits, FilesOutsideTheFolder) {
   fs::create_symlink(m_folder / "secret.bin", m_folder / "in" / "link.bin");
   fs::create_directory_symlink(m_folder, m_folder / "in" / "up");
   json gltf = triangleFile();
-  for (const std::string uri :
+  for (const std::string& uri : std::vector<std::string>
        {"../secret.bin", "%2e%2e/secret.bin", ".%2E%2Fsecret.bin", "deep/../../secret.bin",
-        "link.bin", "up/secret.bin", (m_folder / "secret.bin").string().c_str()}) {
+        "link.bin", "up/secret.bin", (m_folder / "secret.bin").string()}) {
     gltf["buffers"][0]["uri"] = uri;
     const fs::path path = file(gltf.dump(), "in/test.gltf");
     expectError(path, {"buffers[0].uri", "--allow-outside"});
