@@ -11,11 +11,12 @@ packages=(
   libegl-dev libgl1-mesa-dri libosmesa6-dev
   libbenchmark-dev libcli11-dev libfmt-dev libglm-dev libgtest-dev
   libembree-dev libtbb-dev libboost-dev libre2-dev
+  libdraco-dev libmeshoptimizer-dev libwebp-dev # compressed glTF files
   libstb-dev libtinyexr-dev libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev
   libjs-vega # draws the report's plots
 )
 # The tests alone: Google Benchmark's compare.py, and a browser for the report's page.
-test_packages=(libbenchmark-tools python3-scipy chromium chromium-driver python3-selenium)
+test_packages=(zlib1g-dev libbenchmark-tools python3-scipy chromium chromium-driver python3-selenium)
 
 say() { printf '%s\n' "$*" >&2; }
 

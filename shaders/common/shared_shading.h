@@ -50,6 +50,12 @@ SHARED float shareReflected(float metallic, float transmission) {
   return 1.0f - transmission * (1.0f - clamp(metallic, 0.0f, 1.0f));
 }
 
+// Ambient radiance that reaches a surface with normal `n`: the same from everywhere, and the sky's
+// from above (Scene::sky).
+SHARED vec3 ambientLight(vec3 ambient, vec3 sky, vec3 n) {
+  return ambient + sky * (0.5f + 0.5f * n.y);
+}
+
 // What a light sends to a camera-relative point: `toLight` unit, radiance without occlusion.
 struct Illumination {
   vec3 toLight;

@@ -25,6 +25,7 @@ struct FrameData {
   vec4 ambient;         // rgb
   uvec4 counts;         // x: lights, y: width, z: height, w: seed
   vec4 eye;             // of the camera in the world, rounded: for noise=source alone
+  vec4 sky;             // rgb: ambient light from above
 };
 
 // A placed mesh.
@@ -97,7 +98,8 @@ struct ShadowViewData {
 #ifdef __cplusplus
 static_assert(sizeof(DrawData) == 16);
 static_assert(offsetof(FrameData, ambient) == 64 && offsetof(FrameData, counts) == 80 &&
-              offsetof(FrameData, eye) == 96 && sizeof(FrameData) == 112);
+              offsetof(FrameData, eye) == 96 && offsetof(FrameData, sky) == 112 &&
+              sizeof(FrameData) == 128);
 static_assert(offsetof(InstanceData, normal0) == 48 && offsetof(InstanceData, ids) == 96 &&
               sizeof(InstanceData) == 112);
 static_assert(sizeof(TriangleData) == 16);

@@ -77,7 +77,8 @@ vec3 shadeSurface(MaterialData m, Receiver r, vec4 base, float transmission, vec
 
   vec3 n = shadingNormal(m, r, normal, tangent, uv);
   vec3 v = normalize(-r.position);
-  vec3 radiance = emissive + frame.ambient.rgb * base.rgb * (occlusion * share);
+  vec3 radiance = emissive + ambientLight(frame.ambient.rgb, frame.sky.rgb, n) * base.rgb *
+                                 (occlusion * share);
   for (uint light = 0u; light < frame.counts.x; ++light) {
     Illumination i = illumination(lights[light], r.position);
     // The geometric normal decides sides: no light through a surface, and no lookup for none.

@@ -7,6 +7,8 @@
 #include "suites/cli/help.h"
 #include "suites/cli/output_files.h"
 #include "suites/harness/suite.h"
+#include "suites/scenes/procedural.h"
+#include "suites/scenes/scene_edit.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -69,6 +71,31 @@ void refuseStray(const CLI::App& app) {
                                                  "', expected the options of a command behind it");
 }
 
+/// Options that choose what of a scene's file is read and shown.
+void addFileOptions(CLI::App& app, Options& o) {
+  const auto edit = [&o](std::string text) { o.selection.edits.push_back(std::move(text)); };
+  app.add_option_function<std::string>(
+         "--camera",
+         [edit](const std::string& text) {
+           const bool place = text.starts_with("eye=") || text.starts_with("at=") ||
+                              text.starts_with("fov=");
+           edit("camera:" + (place ? text : "show=" + encodedName(text)));
+         },
+         "one of the scene's cameras, or look from one world point at another")
+      ->type_name("NAME|INDEX|eye=X,Y,Z,at=X,Y,Z[,fov=DEG]");
+  app.add_option_function<std::string>(
+         "--gltf-scene",
+         [edit](const std::string& text) { edit("file:scene=" + encodedName(text)); },
+         "which scene of a glTF file [the one that it names]")
+      ->type_name("NAME|INDEX");
+  app.add_flag_function(
+      "--ground", [edit](int64_t) { edit("ground:size=4"); },
+      "a plane below the scene that receives its shadow");
+  app.add_flag_function(
+      "--allow-outside", [edit](int64_t) { edit("file:outside=1"); },
+      "let a glTF file name files outside its own folder");
+}
+
 /// Options that choose a scene, its changes and its size.
 void addScene(CLI::App& app, Options& o) {
   app.add_option("--scene", o.selection.scenes, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
@@ -78,10 +105,7 @@ void addScene(CLI::App& app, Options& o) {
                  "other optics for materials by glob, in all scenes: 'fabric*:alpha=0.5,t=0.9,0.3,"
                  "0.3'")
       ->type_name("GLOB:alpha=A[,t=R,G,B]");
-  app.add_option_function<std::string>(
-         "--camera", [&o](const std::string& text) { o.selection.edits.push_back("camera:" + text); },
-         "look from one world point at another")
-      ->type_name("eye=X,Y,Z,at=X,Y,Z[,fov=DEG]");
+  addFileOptions(app, o);
   app.add_option_function<std::string>(
          "--sun", [&o](const std::string& text) { o.selection.edits.push_back("sun:" + text); },
          "one directional light instead of the scene's")
@@ -202,6 +226,7 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   scene->add_option("scene", o.sceneName, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
       ->required()
       ->type_name("SCENE");
+  addFileOptions(*scene, o);
   scene->add_flag("--json", o.sceneJson, "as JSON");
   scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
 

@@ -9,7 +9,9 @@
 namespace sb {
 
 int sceneCommand(const Options& options) {
-  const Scene scene = makeScene(options.sceneName);
+  std::string spec = options.sceneName;
+  for (const std::string& edit : options.selection.edits) spec = withEdit(spec, edit);
+  const Scene scene = makeScene(spec);
   const Effects effects = analyse(scene, 1.0);
   if (!options.exportFile.empty()) exportGlb(scene, options.exportFile);
   if (options.sceneJson)

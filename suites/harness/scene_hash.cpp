@@ -58,6 +58,8 @@ std::string sceneHash(const Scene& scene) {
   const Camera& c = scene.camera();
   b << c.toWorld << c.orthographic << c.fovY << c.halfHeight << c.nearPlane << c.farPlane
     << scene.ambient << scene.background;
+  // Scenes without a sky keep their hashes, and the truths that are filed under them.
+  if (scene.sky != glm::vec3(0)) b << scene.sky;
   return b.hash();
 }
 

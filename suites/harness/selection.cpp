@@ -140,7 +140,7 @@ std::string noMatch(const std::string& filter, const std::vector<std::string>& n
 
 std::string withEdits(const std::string& scene, const std::vector<std::string>& edits) {
   std::string spec = scene;
-  for (const std::string& edit : edits) spec += (spec.find('?') == spec.npos ? "?" : ";") + edit;
+  for (const std::string& edit : edits) spec = withEdit(spec, edit);
   return spec;
 }
 

@@ -121,6 +121,10 @@ std::string describeText(const Scene& scene, const Effects& effects) {
       materials["opaque"].get<int>(), materials["perforated"].get<int>(),
       materials["translucent"].get<int>(), scene.images.size(), scene.lights.size(),
       scene.cameras.size(), scene.media.size());
+  text += "\nCameras (the first is shown)\n";
+  for (size_t i = 0; i < scene.cameras.size(); ++i)
+    text += fmt::format("  {} {}{}\n", i, scene.cameras[i].name,
+                        scene.cameras[i].orthographic ? " (orthographic)" : "");
   text += "\nLights\n";
   for (const json& light : j["lights"]) text += lightLine(light);
   for (const bool present : {true, false}) {

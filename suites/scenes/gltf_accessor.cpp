@@ -1,6 +1,7 @@
 // Accessors as arrays: any component type, strided, normalized, sparse. checkGltf() has made sure
 // that everything lies within its buffer; reads go through memcpy, for offsets may be unaligned.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "suites/scenes/gltf_check.h"
@@ -61,13 +62,14 @@ const uint8_t* viewData(const GltfContext& context, int view) {
 // ones over them.
 template <typename Visit>
 void forEachElement(const GltfContext& context, const std::string& field,
-                    const tinygltf::Accessor& accessor, int components, const Visit& visit) {
+                    const tinygltf::Accessor& accessor, int components, size_t first, size_t end,
+                    const Visit& visit) {
   const size_t bytes = typeBytes(accessor.componentType) * size_t(components);
   if (accessor.bufferView >= 0) {
     const size_t stated = context.model.bufferViews[size_t(accessor.bufferView)].byteStride;
     const size_t stride = stated ? stated : bytes;
     const uint8_t* data = viewData(context, accessor.bufferView) + accessor.byteOffset;
-    for (size_t i = 0; i < accessor.count; ++i) visit(i, data + i * stride);
+    for (size_t i = first; i < end; ++i) visit(i, data + i * stride);
   }
   if (!accessor.sparse.isSparse) return;
   const auto& sparse = accessor.sparse;
@@ -79,7 +81,28 @@ void forEachElement(const GltfContext& context, const std::string& field,
     if (index >= accessor.count)
       context.fail(field, "sparse index " + std::to_string(i) + " is " + std::to_string(index) +
                               ", expected less than " + std::to_string(accessor.count));
-    visit(index, values + i * bytes);
+    if (index >= first && index < end) visit(index, values + i * bytes);
+  }
+}
+
+// Zeros that no view holds cost nothing in the file.
+void countZeros(const GltfContext& context, const std::string& field, int index, size_t count,
+                size_t bytes) {
+  if (context.model.accessors[size_t(index)].bufferView < 0)
+    context.source.take(field + " (" + fieldAt("accessors", size_t(index)) + ")", count, bytes);
+}
+
+void requireFinite(const GltfContext& context, const std::string& field, int index, size_t first,
+                   int components, const std::vector<float>& values) {
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    const size_t element = i / size_t(components);
+    std::string text;
+    for (size_t c = element * size_t(components); c < (element + 1) * size_t(components); ++c)
+      text += (text.empty() ? "" : ", ") + std::to_string(values[c]);
+    context.fail(field, fieldAt("accessors", size_t(index)) + " element " +
+                            std::to_string(first + element) + " is (" + text +
+                            "), expected finite numbers");
   }
 }
 
@@ -102,16 +125,22 @@ int componentCount(const GltfContext& context, const std::string& field, int ind
 }
 
 std::vector<float> readFloats(const GltfContext& context, const std::string& field, int index,
-                              int components) {
+                              int components, size_t first, size_t count) {
   const tinygltf::Accessor& accessor = context.model.accessors[size_t(index)];
-  std::vector<float> values(accessor.count * size_t(components));
+  first = std::min(first, accessor.count);
+  const size_t end = first + std::min(count, accessor.count - first);
+  countZeros(context, field, index, end - first, size_t(4) * size_t(components));
+  std::vector<float> values((end - first) * size_t(components));
   const size_t bytes = typeBytes(accessor.componentType);
   const bool normalized = accessor.normalized && bytes < 4;
-  forEachElement(context, field, accessor, components, [&](size_t i, const uint8_t* data) {
-    for (int c = 0; c < components; ++c)
-      values[i * size_t(components) + size_t(c)] =
-          toFloat(data + size_t(c) * bytes, accessor.componentType, normalized);
-  });
+  forEachElement(context, field, accessor, components, first, end,
+                 [&](size_t i, const uint8_t* data) {
+                   float* out = values.data() + (i - first) * size_t(components);
+                   for (int c = 0; c < components; ++c)
+                     out[c] =
+                         toFloat(data + size_t(c) * bytes, accessor.componentType, normalized);
+                 });
+  requireFinite(context, field, index, first, components, values);
   return values;
 }
 
@@ -124,8 +153,9 @@ std::vector<uint32_t> readIndices(const GltfContext& context, const std::string&
     context.fail(field, "is accessors[" + std::to_string(index) + "] with componentType " +
                             std::to_string(type) +
                             ", expected a SCALAR of 5121, 5123 or 5125 (unsigned integers)");
+  countZeros(context, field, index, accessor.count, 4);
   std::vector<uint32_t> values(accessor.count);
-  forEachElement(context, field, accessor, 1,
+  forEachElement(context, field, accessor, 1, 0, accessor.count,
                  [&](size_t i, const uint8_t* data) { values[i] = toIndex(data, type); });
   return values;
 }

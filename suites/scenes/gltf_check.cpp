@@ -1,148 +1,17 @@
-// The table of rules and its walker. Paths: "meshes[].primitives[]" is every primitive.
+// The walker of the table of rules (gltf_check_rules.cpp).
 #include "suites/scenes/gltf_check.h"
 
 #include <cmath>
 #include <functional>
 
+#include "suites/scenes/gltf_check_rules.h"
+
 namespace sb {
 namespace {
 
 using nlohmann::json;
-
-enum class Kind { UInt, Number, Bool, String, Object, Numbers, Index, Indices };
-
-struct Rule {
-  const char* owner;  ///< objects that hold the property
-  const char* key;
-  Kind kind;
-  bool required = false;
-  double low = -INFINITY;  ///< of UInt, Number
-  double high = INFINITY;
-  const char* target = nullptr;  ///< of Index, Indices: top-level array
-  size_t count = 0;              ///< of Numbers: length
-};
-
-constexpr bool kRequired = true;
-constexpr double kInf = INFINITY;
-
-Rule index(const char* owner, const char* key, const char* target, bool required = false) {
-  return {owner, key, Kind::Index, required, 0, kInf, target};
-}
-Rule indices(const char* owner, const char* key, const char* target, bool required = false) {
-  return {owner, key, Kind::Indices, required, 0, kInf, target};
-}
-Rule numbers(const char* owner, const char* key, size_t count) {
-  return {owner, key, Kind::Numbers, false, -kInf, kInf, nullptr, count};
-}
-Rule unit(const char* owner, const char* key) { return {owner, key, Kind::Number, false, 0, 1}; }
-Rule positive(const char* owner, const char* key, bool required = false) {
-  return {owner, key, Kind::Number, required, std::numeric_limits<double>::min(), kInf};
-}
-
-const std::vector<Rule>& rules() {
-  static const std::vector<Rule> kRules = {
-      {"", "asset", Kind::Object, kRequired},
-      {"asset", "version", Kind::String, kRequired},
-      {"asset", "minVersion", Kind::String},
-      index("", "scene", "scenes"),
-      indices("scenes[]", "nodes", "nodes"),
-
-      {"buffers[]", "byteLength", Kind::UInt, kRequired, 1},
-      {"buffers[]", "uri", Kind::String},
-      index("bufferViews[]", "buffer", "buffers", kRequired),
-      {"bufferViews[]", "byteOffset", Kind::UInt},
-      {"bufferViews[]", "byteLength", Kind::UInt, kRequired, 1},
-      {"bufferViews[]", "byteStride", Kind::UInt, false, 4, 252},
-
-      index("accessors[]", "bufferView", "bufferViews"),
-      {"accessors[]", "byteOffset", Kind::UInt},
-      {"accessors[]", "componentType", Kind::UInt, kRequired, 5120, 5126},
-      {"accessors[]", "count", Kind::UInt, kRequired, 1},
-      {"accessors[]", "type", Kind::String, kRequired},
-      {"accessors[]", "normalized", Kind::Bool},
-      {"accessors[]", "sparse", Kind::Object},
-      {"accessors[].sparse", "count", Kind::UInt, kRequired, 1},
-      {"accessors[].sparse", "indices", Kind::Object, kRequired},
-      {"accessors[].sparse", "values", Kind::Object, kRequired},
-      index("accessors[].sparse.indices", "bufferView", "bufferViews", kRequired),
-      {"accessors[].sparse.indices", "byteOffset", Kind::UInt},
-      {"accessors[].sparse.indices", "componentType", Kind::UInt, kRequired, 5121, 5125},
-      index("accessors[].sparse.values", "bufferView", "bufferViews", kRequired),
-      {"accessors[].sparse.values", "byteOffset", Kind::UInt},
-
-      {"meshes[].primitives[]", "attributes", Kind::Object, kRequired},
-      index("meshes[].primitives[]", "indices", "accessors"),
-      index("meshes[].primitives[]", "material", "materials"),
-      {"meshes[].primitives[]", "mode", Kind::UInt, false, 0, 6},
-
-      indices("nodes[]", "children", "nodes"),
-      index("nodes[]", "mesh", "meshes"),
-      index("nodes[]", "camera", "cameras"),
-      numbers("nodes[]", "matrix", 16),
-      numbers("nodes[]", "translation", 3),
-      numbers("nodes[]", "rotation", 4),
-      numbers("nodes[]", "scale", 3),
-      {"nodes[]", "name", Kind::String},
-      {"nodes[].extensions", "KHR_lights_punctual", Kind::Object},
-
-      {"cameras[]", "type", Kind::String, kRequired},
-      positive("cameras[].perspective", "yfov", kRequired),
-      positive("cameras[].perspective", "znear", kRequired),
-      positive("cameras[].perspective", "zfar"),
-      {"cameras[].orthographic", "xmag", Kind::Number, kRequired},
-      {"cameras[].orthographic", "ymag", Kind::Number, kRequired},
-      {"cameras[].orthographic", "znear", Kind::Number, kRequired, 0},
-      positive("cameras[].orthographic", "zfar", kRequired),
-
-      index("images[]", "bufferView", "bufferViews"),
-      {"images[]", "uri", Kind::String},
-      {"images[]", "mimeType", Kind::String},
-      index("textures[]", "sampler", "samplers"),
-      index("textures[]", "source", "images"),
-      {"samplers[]", "magFilter", Kind::UInt},
-      {"samplers[]", "minFilter", Kind::UInt},
-      {"samplers[]", "wrapS", Kind::UInt},
-      {"samplers[]", "wrapT", Kind::UInt},
-
-      {"materials[]", "name", Kind::String},
-      {"materials[]", "alphaMode", Kind::String},
-      {"materials[]", "alphaCutoff", Kind::Number, false, 0},
-      {"materials[]", "doubleSided", Kind::Bool},
-      numbers("materials[]", "emissiveFactor", 3),
-      {"materials[]", "pbrMetallicRoughness", Kind::Object},
-      numbers("materials[].pbrMetallicRoughness", "baseColorFactor", 4),
-      unit("materials[].pbrMetallicRoughness", "metallicFactor"),
-      unit("materials[].pbrMetallicRoughness", "roughnessFactor"),
-      {"materials[].normalTexture", "scale", Kind::Number},
-      unit("materials[].occlusionTexture", "strength"),
-      unit("materials[].extensions.KHR_materials_transmission", "transmissionFactor"),
-      {"materials[].extensions.KHR_materials_volume", "thicknessFactor", Kind::Number, false, 0},
-      positive("materials[].extensions.KHR_materials_volume", "attenuationDistance"),
-      numbers("materials[].extensions.KHR_materials_volume", "attenuationColor", 3),
-      {"materials[].extensions.KHR_materials_emissive_strength", "emissiveStrength", Kind::Number,
-       false, 0},
-
-      {"extensions.KHR_lights_punctual.lights[]", "type", Kind::String, kRequired},
-      {"extensions.KHR_lights_punctual.lights[]", "intensity", Kind::Number, false, 0},
-      positive("extensions.KHR_lights_punctual.lights[]", "range"),
-      numbers("extensions.KHR_lights_punctual.lights[]", "color", 3),
-      {"extensions.KHR_lights_punctual.lights[].spot", "innerConeAngle", Kind::Number, false, 0,
-       1.5707963267948966},
-      {"extensions.KHR_lights_punctual.lights[].spot", "outerConeAngle", Kind::Number, false, 0,
-       1.5707963267948966},
-  };
-  return kRules;
-}
-
-// Where textures stand; each may carry KHR_texture_transform.
-constexpr const char* kTextureInfos[] = {
-    "materials[].pbrMetallicRoughness.baseColorTexture",
-    "materials[].pbrMetallicRoughness.metallicRoughnessTexture",
-    "materials[].normalTexture",
-    "materials[].occlusionTexture",
-    "materials[].emissiveTexture",
-    "materials[].extensions.KHR_materials_transmission.transmissionTexture",
-    "materials[].extensions.KHR_materials_volume.thicknessTexture"};
+using gltf::Kind, gltf::Rule, gltf::index, gltf::number, gltf::numbers;
+using gltf::kInf, gltf::kRequired;
 
 using Visit = std::function<void(json&, const std::string&)>;
 
@@ -217,7 +86,10 @@ void checkValue(const GltfSource& source, const Rule& rule, json& value, const s
       checkArray(source, value, field);
       expect(value.size() == rule.count,
              ("an array of " + std::to_string(rule.count) + " numbers").c_str());
-      for (const json& number : value) expect(number.is_number(), "numbers only");
+      for (const json& n : value) {
+        expect(n.is_number(), "numbers only");
+        expect(std::abs(n.get<double>()) <= rule.high, "numbers that a 32-bit float can hold");
+      }
       return;
     case Kind::UInt:
       checkUInt(source, value, field);
@@ -228,11 +100,15 @@ void checkValue(const GltfSource& source, const Rule& rule, json& value, const s
   }
   const double number = value.get<double>();
   if (number >= rule.low && number <= rule.high) return;
-  const auto text = [](double d) { return shown(json(d)); };
-  const bool above = rule.low == std::numeric_limits<double>::min();
-  expect(false, (rule.high < kInf ? "from " + text(rule.low) + " to " + text(rule.high)
-                 : above          ? std::string("more than 0")
-                                  : "at least " + text(rule.low))
+  const auto text = [](double d) {  // whole ones without a point
+    return std::floor(d) == d && std::abs(d) < 1e15 ? std::to_string(int64_t(d)) : shown(json(d));
+  };
+  if (number > rule.high && rule.high == FLT_MAX)
+    expect(false, "a number that a 32-bit float can hold");
+  const bool above = rule.low == FLT_MIN, open = rule.high >= FLT_MAX;
+  expect(false, (above  ? std::string("more than 0")
+                 : open ? "at least " + text(rule.low)
+                        : "from " + text(rule.low) + " to " + text(rule.high))
                     .c_str());
 }
 
@@ -251,13 +127,73 @@ void checkTextureInfo(GltfSource& source, const std::string& owner) {
   apply(source, {owner.c_str(), "texCoord", Kind::UInt});
   apply(source, numbers(transform.c_str(), "offset", 2));
   apply(source, numbers(transform.c_str(), "scale", 2));
-  apply(source, {transform.c_str(), "rotation", Kind::Number});
+  apply(source, number(transform.c_str(), "rotation"));
   apply(source, {transform.c_str(), "texCoord", Kind::UInt});
+}
+
+// An object whose type names another one that must stand beside it.
+void checkTyped(GltfSource& source, const char* owner, const std::vector<std::string>& types,
+                const std::vector<std::string>& partners) {
+  walk(source, source.json, owner, "", [&](json& object, const std::string& field) {
+    const std::string type = object["type"];
+    if (std::ranges::find(types, type) == types.end()) {
+      std::string expected;
+      for (size_t i = 0; i < types.size(); ++i)
+        expected += (i == 0 ? "" : i + 1 == types.size() ? " or " : ", ") + types[i];
+      source.fail(field + ".type", "is " + shown(object["type"]) + ", expected " + expected);
+    }
+    if (std::ranges::find(partners, type) == partners.end()) return;
+    if (!object.contains(type))
+      source.fail(field + "." + type, "is missing, which type \"" + type + "\" asks for");
+    if (!object[type].is_object())
+      source.fail(field + "." + type, "is " + shown(object[type]) + ", expected an object");
+  });
+}
+
+void checkVariants(GltfSource& source) {
+  checkTyped(source, "cameras[]", {"perspective", "orthographic"}, {"perspective", "orthographic"});
+  checkTyped(source, "extensions.KHR_lights_punctual.lights[]", {"directional", "point", "spot"},
+             {"spot"});
 }
 
 }  // namespace
 
+namespace {
+
+// Memory of the structures themselves: their JSON, tinygltf's copies and ours. Counted before a rule
+// walks over them, for an empty object costs three bytes in the file and kilobytes here.
+void checkCounts(GltfSource& source) {
+  constexpr std::pair<const char*, size_t> kCosts[] = {
+      {"accessors", 1500}, {"bufferViews", 1000}, {"buffers", 800},   {"cameras", 1500},
+      {"images", 800},     {"materials", 4000},   {"meshes", 1000},   {"nodes", 1500},
+      {"samplers", 1000},  {"scenes", 1000},      {"textures", 1200}, {"skins", 800},
+      {"animations", 800}};
+  const auto count = [&](const std::string& field, const json& list, size_t bytes) {
+    if (list.is_array()) source.take(field, list.size(), bytes);
+  };
+  for (const auto& [key, bytes] : kCosts)
+    if (source.json.contains(key)) count(key, source.json[key], bytes);
+  const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (source.json.contains(lights)) count("extensions", source.json[lights], 1200);
+  const auto meshes = source.json.find("meshes");
+  if (meshes == source.json.end() || !meshes->is_array()) return;
+  for (size_t m = 0; m < meshes->size(); ++m)
+    if ((*meshes)[m].is_object() && (*meshes)[m].contains("primitives"))
+      count("meshes[" + std::to_string(m) + "].primitives", (*meshes)[m]["primitives"], 1500);
+}
+
+}  // namespace
+
+size_t checkedIndex(const GltfSource& source, const json& value, const std::string& field,
+                    const char* target) {
+  json copy = value;
+  checkIndex(source, copy, field, target);
+  return copy.get<size_t>();
+}
+
 void checkGltf(GltfSource& source) {
+  refuseOldVersions(source);
+  checkCounts(source);
   for (auto& [key, value] : source.json.items())
     if (value.is_array() && value.empty()) source.warn("'" + key + "' is empty");
   for (const char* key : {"extensionsUsed", "extensionsRequired"})
@@ -272,7 +208,7 @@ void checkGltf(GltfSource& source) {
   for (const char* owner : {"scenes[]", "nodes[]", "meshes[]", "materials[]", "textures[]",
                             "images[]", "samplers[]", "meshes[].primitives[]", "skins[]"})
     walk(source, source.json, owner, "", [](json&, const std::string&) {});
-  for (const Rule& rule : rules()) apply(source, rule);
+  for (const Rule& rule : gltf::rules()) apply(source, rule);
   walk(source, source.json, "meshes[]", "", [&](json& mesh, const std::string& field) {
     if (!mesh.contains("primitives")) source.fail(field + ".primitives", "is missing");
   });
@@ -291,7 +227,8 @@ void checkGltf(GltfSource& source) {
            source.fail(field + ".light", "is " + shown(light["light"]) + ", but there are " +
                                              std::to_string(count) + " lights");
        });
-  for (const char* owner : kTextureInfos) checkTextureInfo(source, owner);
+  checkVariants(source);
+  for (const char* owner : gltf::textureInfos()) checkTextureInfo(source, owner);
   checkLayout(source);
 }
 

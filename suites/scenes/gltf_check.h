@@ -11,9 +11,21 @@ namespace sb {
 /// become integers. What cannot change the picture is a warning (see EXTRAS.md, "Broken files").
 void checkGltf(GltfSource& source);
 
-/// Second half of checkGltf: bufferViews within buffers, accessors within bufferViews, versions,
-/// required extensions, node trees.
+/// `value` as an index into the top-level array `target`: for what is checked where it is used alone
+/// (skins, animations, morph targets). Throws InputError naming `field`.
+size_t checkedIndex(const GltfSource& source, const nlohmann::json& value, const std::string& field,
+                    const char* target);
+
+/// Second half of checkGltf: numbers of things, bufferViews within buffers, accessors within
+/// bufferViews, versions, required extensions, node trees.
 void checkLayout(GltfSource& source);
+
+/// Before all else: a glTF 1.0 file is named as such, not by the first thing that differs.
+void refuseOldVersions(const GltfSource& source);
+/// Versions other than 2.0. extensionsRequired: what is read, what can be left out with a warning,
+/// what is refused.
+void checkAsset(GltfSource& source);
+void checkExtensions(GltfSource& source);
 
 /// Bytes of one element of an accessor (matrix columns start on multiples of 4), 0 if unknown.
 size_t elementBytes(int componentType, const std::string& type);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "suites/scenes/gltf_animation.h"
 #include "suites/scenes/gltf_source.h"
 #include "techniques/common/scene.h"
 
@@ -21,6 +22,8 @@ struct GltfContext {
   size_t triangles = 0;        ///< made so far, against kMaxTriangles
   size_t degenerate = 0;       ///< triangles dropped
   size_t repairedNormals = 0;  ///< normals of no length, replaced
+  size_t pixels = 0;           ///< of all images, against kMaxImagePixels
+  std::map<int, NodePose> poses;  ///< of animated nodes
   /// Scene meshes of each glTF mesh, one per primitive that draws triangles.
   std::vector<std::vector<uint32_t>> meshes;
 
@@ -39,6 +42,7 @@ inline std::string fieldAt(const std::string& key, size_t i) {
 tinygltf::Model parseModel(const GltfSource& source);
 
 // One step each, in this order.
+void readPoses(GltfContext& context);  ///< the first animation at t = 0
 void readImages(GltfContext& context);
 void readMaterials(GltfContext& context);
 void readMeshes(GltfContext& context);
@@ -59,9 +63,10 @@ void readMediumExtras(GltfContext& context, const std::string& field, const tiny
 void readSceneExtras(GltfContext& context, const std::string& field, const tinygltf::Value& extras);
 
 /// Elements of accessor `index` as floats, `components` each; normalized integers become [0,1] or
-/// [-1,1]. Sparse accessors are resolved. `field` names the user in errors.
+/// [-1,1]. Sparse accessors are resolved. Fails, naming `field` and accessor, on numbers that are
+/// not finite. At most `count` elements from `first` on.
 std::vector<float> readFloats(const GltfContext& context, const std::string& field, int index,
-                              int components);
+                              int components, size_t first = 0, size_t count = size_t(-1));
 /// Elements of a SCALAR accessor of unsigned integers.
 std::vector<uint32_t> readIndices(const GltfContext& context, const std::string& field, int index);
 /// Components of an element: 1 for SCALAR ... 4 for VEC4; fails for matrices.

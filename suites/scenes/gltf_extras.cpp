@@ -5,8 +5,9 @@
 //   (directional) node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
 //              "albedo": [r,g,b] 0..1, "anisotropy": -1..1, "seed": 0..}}
 //                                                  fills the node's unit cube [0,1]^3
-//   scene     {"ambient": [r,g,b] >= 0, "background": [r,g,b] >= 0}
+//   scene     {"ambient": [r,g,b] >= 0, "sky": [r,g,b] >= 0, "background": [r,g,b] >= 0}
 #include <array>
+#include <cfloat>
 #include <cmath>
 
 #include "suites/scenes/gltf_context.h"
@@ -34,7 +35,9 @@ double number(const GltfContext& context, const std::string& field, const Value&
               double high) {
   const double d = value.IsNumber() ? value.GetNumberAsDouble() : NAN;
   if (!(d >= low && d <= high)) {
-    const std::string range = std::isfinite(high) ? "from " + shown(low) + " to " + shown(high)
+    if (d > FLT_MAX)
+      context.fail(field, "is " + shown(d) + ", expected a number that a 32-bit float can hold");
+    const std::string range = high < FLT_MAX ? "from " + shown(low) + " to " + shown(high)
                                                   : "of at least " + shown(low);
     context.fail(field, (value.IsNumber() ? "is " + shown(d) : "is no number") +
                             ", expected a number " + range);
@@ -69,7 +72,7 @@ void readMaterialExtras(const GltfContext& context, const std::string& field, co
 double readLightRadius(const GltfContext& context, const std::string& field, const Value& extras) {
   const Value* ours = shadowbench(context, field, extras, {"radius"});
   if (!ours || !ours->Has("radius")) return 0;
-  return number(context, field + ".extras.shadowbench.radius", ours->Get("radius"), 0, INFINITY);
+  return number(context, field + ".extras.shadowbench.radius", ours->Get("radius"), 0, FLT_MAX);
 }
 
 void readMediumExtras(GltfContext& context, const std::string& field, const Value& extras,
@@ -94,7 +97,7 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
     medium.kind = name == "smoke" ? MediumKind::Smoke : MediumKind::Homogeneous;
   }
   if (!value.Has("extinction")) context.fail(path + ".extinction", "is missing");
-  medium.extinction = triple(context, path + ".extinction", value.Get("extinction"), INFINITY);
+  medium.extinction = triple(context, path + ".extinction", value.Get("extinction"), FLT_MAX);
   if (value.Has("albedo"))
     medium.albedo = triple(context, path + ".albedo", value.Get("albedo"), 1);
   if (value.Has("anisotropy"))
@@ -106,14 +109,15 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
 }
 
 void readSceneExtras(GltfContext& context, const std::string& field, const Value& extras) {
-  const Value* ours = shadowbench(context, field, extras, {"ambient", "background"});
+  const Value* ours = shadowbench(context, field, extras, {"ambient", "sky", "background"});
   if (!ours) return;
   const std::string path = field + ".extras.shadowbench";
   if (ours->Has("ambient"))
-    context.scene.ambient = triple(context, path + ".ambient", ours->Get("ambient"), INFINITY);
+    context.scene.ambient = triple(context, path + ".ambient", ours->Get("ambient"), FLT_MAX);
+  if (ours->Has("sky")) context.scene.sky = triple(context, path + ".sky", ours->Get("sky"), FLT_MAX);
   if (ours->Has("background"))
     context.scene.background =
-        triple(context, path + ".background", ours->Get("background"), INFINITY);
+        triple(context, path + ".background", ours->Get("background"), FLT_MAX);
 }
 
 }  // namespace sb

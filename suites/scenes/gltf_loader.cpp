@@ -4,21 +4,13 @@
 
 #include "suites/scenes/framing.h"
 #include "suites/scenes/gltf_check.h"
+#include "suites/scenes/gltf_compression.h"
 #include "suites/scenes/gltf_context.h"
+#include "suites/scenes/text.h"
 #include "techniques/common/error.h"
 
 namespace sb {
 namespace {
-
-void warnOfIgnored(GltfSource& source) {
-  const nlohmann::json& json = source.json;
-  if (json.contains("animations")) source.warn("animations are ignored");
-  if (json.contains("skins")) source.warn("skins are ignored: meshes are shown in their bind pose");
-  for (const auto& mesh : json.value("meshes", nlohmann::json::array()))
-    for (const auto& primitive : mesh["primitives"])
-      if (primitive.contains("targets"))
-        source.warn("morph targets are ignored: meshes are shown without them");
-}
 
 void complete(GltfContext& context) {
   Scene& scene = context.scene;
@@ -29,33 +21,40 @@ void complete(GltfContext& context) {
                  " normals without length were replaced by those of triangles");
   if (scene.instances.empty()) context.warn("the file shows no triangles");
   if (scene.cameras.empty()) {
-    scene.cameras.push_back(framingCamera(sceneBox(scene)));
+    scene.cameras.push_back(framingCamera(scene));
     context.warn(kCameraAdded);
   }
   if (scene.lights.empty()) {
-    scene.lights.push_back(defaultLight());
+    addDaylight(scene);
     context.warn(kLightAdded);
   }
+  if (context.source.unsaid > 0)
+    context.source.warnings.push_back("... and " + std::to_string(context.source.unsaid) +
+                                      " more warnings");
   for (size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = uint32_t(i);
 }
 
 }  // namespace
 
-Scene loadGltf(const std::filesystem::path& path) try {
-  GltfSource source = readGltfSource(path);
+Scene loadGltf(const std::filesystem::path& path, const GltfOptions& options) try {
+  GltfSource source = readGltfSource(path, options);
   checkGltf(source);
   loadBuffers(source);
+  unpackBufferViews(source);
+  unpackPrimitives(source);
   const tinygltf::Model model = parseModel(source);
   Scene scene;
   scene.name = path.stem().string();
-  GltfContext context{source, model, scene};
-  warnOfIgnored(source);
+  scene.background = kNeutralBackground;
+  GltfContext context{.source = source, .model = model, .scene = scene, .poses = {}, .meshes = {}};
+  readPoses(context);
   readImages(context);
   readMaterials(context);
   readMeshes(context);
   readNodes(context);
   complete(context);
   scene.warnings = std::move(source.warnings);
+  cleanNames(scene);
   return scene;
 } catch (const InputError&) {
   throw;
@@ -63,7 +62,7 @@ Scene loadGltf(const std::filesystem::path& path) try {
   throw InputError(path.string(), "needs more memory than there is");
 } catch (const std::exception& error) {
   // Nothing is known to get here; a file must never end the program all the same.
-  throw InputError(path.string(), std::string("cannot be read: ") + error.what());
+  throw InputError(path.string(), "cannot be read: " + shortened(printable(error.what()), 150));
 }
 
 }  // namespace sb

@@ -1,4 +1,7 @@
 // Materials as glTF states them; what they do to light is optics(), elsewhere.
+#include <cfloat>
+#include <cmath>
+
 #include "suites/scenes/gltf_context.h"
 
 namespace sb {
@@ -16,7 +19,7 @@ glm::vec3 colour(const std::vector<double>& v, glm::vec3 fallback) {
 
 // A texture of an extension, which tinygltf leaves as a Value.
 TextureSlot extensionSlot(GltfContext& context, const std::string& field, const Value& extension,
-                          const char* key) {
+                          const char* key, bool srgb = false) {
   if (!extension.Has(key)) return {};
   const Value& info = extension.Get(key);
   tinygltf::ExtensionMap extensions;
@@ -24,7 +27,7 @@ TextureSlot extensionSlot(GltfContext& context, const std::string& field, const 
     for (const auto& [name, value] : info.Get("extensions").Get<Value::Object>())
       extensions[name] = value;
   return readTextureSlot(context, field + "." + key, int(number(info, "index", -1)),
-                         int(number(info, "texCoord", 0)), extensions, false);
+                         int(number(info, "texCoord", 0)), extensions, srgb);
 }
 
 void readExtensions(GltfContext& context, const std::string& field,
@@ -33,9 +36,23 @@ void readExtensions(GltfContext& context, const std::string& field,
     const auto found = extensions.find(name);
     if (found != extensions.end()) read(found->second, field + ".extensions." + name);
   };
+  with("KHR_materials_pbrSpecularGlossiness", [&](const Value& e, const std::string& path) {
+    // Of the older model what lies beneath the gloss: its diffuse colour, on no metal.
+    m.baseColor = glm::vec4(1);
+    if (e.Has("diffuseFactor"))
+      for (int i = 0; i < 4; ++i)
+        m.baseColor[i] = float(e.Get("diffuseFactor").Get(size_t(i)).GetNumberAsDouble());
+    m.baseColorTexture = extensionSlot(context, path, e, "diffuseTexture", true);
+    m.metallic = 0;
+    m.metallicRoughnessTexture = {};
+    m.roughness = 1 - float(number(e, "glossinessFactor", 1));
+  });
   with("KHR_materials_unlit", [&](const Value&, const std::string&) { m.unlit = true; });
   with("KHR_materials_emissive_strength", [&](const Value& e, const std::string&) {
     m.emissive *= float(number(e, "emissiveStrength", 1));
+    if (!glm::all(glm::lessThanEqual(glm::abs(m.emissive), glm::vec3(FLT_MAX))))
+      context.fail(field + ".emissiveFactor",
+                   "times emissiveStrength is more than a 32-bit float can hold");
   });
   with("KHR_materials_transmission", [&](const Value& e, const std::string& path) {
     m.transmission = float(number(e, "transmissionFactor", 0));
@@ -100,6 +117,7 @@ Material readMaterial(GltfContext& context, const std::string& field,
 }  // namespace
 
 void readMaterials(GltfContext& context) {
+  context.scene.materials.reserve(context.model.materials.size() + 1);
   for (size_t i = 0; i < context.model.materials.size(); ++i)
     context.scene.materials.push_back(
         readMaterial(context, fieldAt("materials", i), context.model.materials[i]));

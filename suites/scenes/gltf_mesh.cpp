@@ -1,7 +1,8 @@
 // Mesh primitives as indexed triangle lists with every attribute that shading needs.
 #include <cmath>
+#include <optional>
 
-#include "suites/scenes/gltf_context.h"
+#include "suites/scenes/gltf_deform.h"
 #include "suites/scenes/mesh_tools.h"
 
 namespace sb {
@@ -74,14 +75,6 @@ std::vector<uint32_t> toTriangleList(int mode, const std::vector<uint32_t>& v) {
 void readPositions(const GltfContext& context, const Attribute& position, Mesh& mesh) {
   const size_t count = context.model.accessors[size_t(position.accessor)].count;
   mesh.positions = asVectors<glm::vec3>(readAttribute(context, position, 3, count, false));
-  for (size_t i = 0; i < count; ++i)
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite(mesh.positions[i][c]))
-        context.fail(position.field, "element " + std::to_string(i) + " is (" +
-                                         std::to_string(mesh.positions[i].x) + ", " +
-                                         std::to_string(mesh.positions[i].y) + ", " +
-                                         std::to_string(mesh.positions[i].z) +
-                                         "), expected finite numbers");
 }
 
 void readTriangles(const GltfContext& context, const Primitive& primitive, const std::string& field,
@@ -115,16 +108,19 @@ void readColours(const GltfContext& context, const Attribute& colour, Mesh& mesh
       mesh.colors[i][c] = glm::clamp(floats[i * size_t(components) + size_t(c)], 0.0f, 1.0f);
 }
 
-void finish(GltfContext& context, const std::string& field, const Attribute& normal,
-            const Attribute& tangent, Mesh& mesh) {
-  const Material& material = context.scene.materials[mesh.material];
-  if (normal.accessor >= 0)
-    mesh.normals =
-        asVectors<glm::vec3>(readAttribute(context, normal, 3, mesh.positions.size(), false));
-  const bool mapped = material.normalTexture.present();
-  if (mapped && tangent.accessor >= 0 && normal.accessor >= 0)
+void readFrames(const GltfContext& context, const Attribute& normal, const Attribute& tangent,
+                Mesh& mesh) {
+  if (normal.accessor < 0) return;
+  mesh.normals =
+      asVectors<glm::vec3>(readAttribute(context, normal, 3, mesh.positions.size(), false));
+  if (context.scene.materials[mesh.material].normalTexture.present() && tangent.accessor >= 0)
     mesh.tangents =
         asVectors<glm::vec4>(readAttribute(context, tangent, 4, mesh.positions.size(), false));
+}
+
+void finish(GltfContext& context, const std::string& field, Mesh& mesh) {
+  const Material& material = context.scene.materials[mesh.material];
+  const bool mapped = material.normalTexture.present();
   context.degenerate += dropDegenerate(mesh);
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
@@ -164,57 +160,81 @@ uint32_t defaultMaterial(GltfContext& context) {
   return uint32_t(materials.size() - 1);
 }
 
+// Counts what a primitive will take before any of it is made.
+void takeMemory(GltfContext& context, const Primitive& primitive, const std::string& field,
+                const Attribute& position, int mode, bool flat) {
+  const size_t vertices = context.model.accessors[size_t(position.accessor)].count;
+  const size_t corners =
+      primitive.indices >= 0 ? context.model.accessors[size_t(primitive.indices)].count : vertices;
+  const size_t triangles = mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+  context.vertices += vertices;
+  context.triangles += triangles;
+  if (context.vertices > kMaxVertices || context.triangles > kMaxTriangles)
+    context.fail(
+        field, "takes the file beyond " + std::to_string(kMaxVertices) + " vertices or triangles");
+  // Attributes and what a device keeps of them; vertices of their own for every corner without
+  // normals.
+  context.source.take(field, vertices, 72);
+  context.source.take(field, triangles, flat ? 16 + 3 * 72 : 16);
+}
+
+// One primitive as a mesh; empty if it draws no triangles. Bent by `deform`.
+std::optional<Mesh> readPrimitive(GltfContext& context, size_t m, size_t p, const Deform& deform) {
+  const tinygltf::Mesh& source = context.model.meshes[m];
+  const Primitive& primitive = source.primitives[p];
+  const std::string field = fieldAt(fieldAt("meshes", m) + ".primitives", p);
+  const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  if (mode < TINYGLTF_MODE_TRIANGLES) {
+    constexpr const char* kModes[] = {"points", "lines", "a line loop", "a line strip"};
+    context.warn(field + " is drawn as " + kModes[mode] + ", which is left out");
+    return std::nullopt;
+  }
+  const Attribute position = findAttribute(primitive, field, "POSITION");
+  if (position.accessor < 0) {
+    context.warn(field + " has no POSITION and is left out");
+    return std::nullopt;
+  }
+  Mesh mesh;
+  mesh.name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
+  if (source.primitives.size() > 1) mesh.name += "." + std::to_string(p);
+  mesh.material = primitive.material >= 0 ? uint32_t(primitive.material) : defaultMaterial(context);
+  const Attribute normal = findAttribute(primitive, field, "NORMAL");
+  takeMemory(context, primitive, field, position, mode, normal.accessor < 0);
+  readPositions(context, position, mesh);
+  readTriangles(context, primitive, field, mode, mesh);
+  for (const auto& [name, uvs] : {std::pair("TEXCOORD_0", &mesh.uv0), {"TEXCOORD_1", &mesh.uv1}})
+    if (const Attribute uv = findAttribute(primitive, field, name); uv.accessor >= 0)
+      *uvs = asVectors<glm::vec2>(readAttribute(context, uv, 2, mesh.positions.size(), true));
+  if (const Attribute c = findAttribute(primitive, field, "COLOR_0"); c.accessor >= 0)
+    readColours(context, c, mesh);
+  readFrames(context, normal, findAttribute(primitive, field, "TANGENT"), mesh);
+  applyMorph(context, m, p, deform.weights, mesh);
+  applySkin(context, m, p, deform, mesh);
+  finish(context, field, mesh);
+  checkTextureCoordinates(context, field, mesh);
+  if (!mesh.indices.empty()) return mesh;
+  context.warn(field + " has no triangles and is left out");
+  return std::nullopt;
+}
+
 }  // namespace
 
-void readMeshes(GltfContext& context) {
-  for (size_t m = 0; m < context.model.meshes.size(); ++m) {
-    const tinygltf::Mesh& source = context.model.meshes[m];
-    std::vector<uint32_t>& made = context.meshes.emplace_back();
-    for (size_t p = 0; p < source.primitives.size(); ++p) {
-      const Primitive& primitive = source.primitives[p];
-      const std::string field = fieldAt(fieldAt("meshes", m) + ".primitives", p);
-      const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-      if (mode < TINYGLTF_MODE_TRIANGLES) {
-        constexpr const char* kModes[] = {"points", "lines", "a line loop", "a line strip"};
-        context.warn(field + " is drawn as " + kModes[mode] + ", which is left out");
-        continue;
-      }
-      const Attribute position = findAttribute(primitive, field, "POSITION");
-      if (position.accessor < 0) {
-        context.warn(field + " has no POSITION and is left out");
-        continue;
-      }
-      Mesh mesh;
-      mesh.name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
-      if (source.primitives.size() > 1) mesh.name += "." + std::to_string(p);
-      mesh.material =
-          primitive.material >= 0 ? uint32_t(primitive.material) : defaultMaterial(context);
-      context.vertices += context.model.accessors[size_t(position.accessor)].count;
-      if (primitive.indices >= 0)
-        context.triangles += context.model.accessors[size_t(primitive.indices)].count / 3 + 1;
-      if (context.vertices > kMaxVertices || context.triangles > kMaxTriangles)
-        context.fail(field, "takes the file beyond " + std::to_string(kMaxVertices) +
-                                " vertices or triangles");
-      readPositions(context, position, mesh);
-      readTriangles(context, primitive, field, mode, mesh);
-      if (const Attribute uv = findAttribute(primitive, field, "TEXCOORD_0"); uv.accessor >= 0)
-        mesh.uv0 = asVectors<glm::vec2>(readAttribute(context, uv, 2, mesh.positions.size(), true));
-      if (const Attribute uv = findAttribute(primitive, field, "TEXCOORD_1"); uv.accessor >= 0)
-        mesh.uv1 = asVectors<glm::vec2>(readAttribute(context, uv, 2, mesh.positions.size(), true));
-      if (const Attribute c = findAttribute(primitive, field, "COLOR_0"); c.accessor >= 0)
-        readColours(context, c, mesh);
-      finish(context, field, findAttribute(primitive, field, "NORMAL"),
-             findAttribute(primitive, field, "TANGENT"), mesh);
-      checkTextureCoordinates(context, field, mesh);
-      if (mesh.indices.empty()) {
-        context.warn(field + " has no triangles and is left out");
-        continue;
-      }
-      mesh.key = uint32_t(context.scene.meshes.size());
-      made.push_back(mesh.key);
-      context.scene.meshes.push_back(std::move(mesh));
-    }
+std::vector<uint32_t> readBentMeshes(GltfContext& context, size_t mesh, const Deform& deform) {
+  std::vector<uint32_t> made;
+  for (size_t p = 0; p < context.model.meshes[mesh].primitives.size(); ++p) {
+    std::optional<Mesh> part = readPrimitive(context, mesh, p, deform);
+    if (!part) continue;
+    part->key = uint32_t(context.scene.meshes.size());
+    made.push_back(part->key);
+    context.scene.meshes.push_back(std::move(*part));
   }
+  return made;
+}
+
+void readMeshes(GltfContext& context) {
+  for (size_t m = 0; m < context.model.meshes.size(); ++m)
+    context.meshes.push_back(
+        readBentMeshes(context, m, {.weights = meshWeights(context, m), .palette = {}}));
 }
 
 }  // namespace sb

@@ -1,6 +1,7 @@
 // tinygltf (MIT), compiled here rather than linked: without its image decoder, its file access and
 // its habit of throwing from them. It gets JSON that checkGltf() has passed.
 // nlohmann/json comes first: inside tinygltf it would be declared hidden.
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -9,14 +10,35 @@
 #include "techniques/common/error.h"
 
 namespace sb {
+namespace {
+
+// tinygltf keeps whole numbers of extensions and extras in an int, where 4294967295 becomes -1.
+void widenIntegers(nlohmann::json& value, bool inside) {
+  if (inside && value.is_number_integer()) {
+    const double number = value.get<double>();
+    if (std::abs(number) > 2147483647.0) value = number;
+  }
+  if (value.is_object())
+    for (auto& [key, member] : value.items())
+      widenIntegers(member, inside || key == "extensions" || key == "extras");
+  else if (value.is_array())
+    for (nlohmann::json& element : value) widenIntegers(element, inside);
+}
+
+}  // namespace
 
 tinygltf::Model parseModel(const GltfSource& source) {
-  nlohmann::json json = source.json;
-  // We read these ourselves, or not at all.
-  for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);
+  nlohmann::json json = nlohmann::json::object();
+  // The others we read ourselves, or not at all; buffers and images may hold megabytes of base64.
+  for (const char* key :
+       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials",
+        "textures", "samplers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"})
+    if (const auto found = source.json.find(key); found != source.json.end()) json[key] = *found;
+  widenIntegers(json, false);
   for (auto& mesh : json["meshes"])
     for (auto& primitive : mesh["primitives"])
       primitive.erase("targets"), primitive.erase("indices");
+  for (auto& mesh : json["meshes"]) mesh.erase("weights");
   for (auto& node : json["nodes"]) node.erase("weights"), node.erase("skin");
   if (json["meshes"].is_null()) json.erase("meshes");
   if (json["nodes"].is_null()) json.erase("nodes");

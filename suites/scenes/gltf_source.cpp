@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "suites/scenes/file_io.h"
+#include "suites/scenes/text.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -29,7 +30,8 @@ std::span<const uint8_t> readContainer(GltfSource& source, std::span<const uint8
                                   " bytes, expected a header of 12");
   const uint32_t version = wordAt(bytes, 4), length = wordAt(bytes, 8);
   if (version != 2)
-    source.fail("GLB header", "version is " + std::to_string(version) + ", expected 2");
+    source.fail("GLB header", "version is " + std::to_string(version) + ", expected 2" +
+                                  (version == 1 ? " (this is a binary glTF 1.0)" : ""));
   if (length > bytes.size() || length < 20)
     source.fail("GLB header", "length is " + std::to_string(length) + ", the file has " +
                                   std::to_string(bytes.size()) + " bytes");
@@ -70,13 +72,14 @@ std::span<const uint8_t> readContainer(GltfSource& source, std::span<const uint8
   return text;
 }
 
-// Walks the text without building values, so that depth is known before anything nests.
+// Walks the text without building values, so that depth and number are known before anything nests
+// or takes memory.
 struct DepthCounter : nlohmann::json_sax<json> {
-  size_t depth = 0, deepest = 0;
+  size_t depth = 0, deepest = 0, containers = 0;
   std::string error;
   bool enter() {
     deepest = std::max(deepest, ++depth);
-    return deepest <= kMaxJsonDepth;
+    return deepest <= kMaxJsonDepth && ++containers <= kMaxJsonContainers;
   }
   bool leave() { return --depth, true; }
   bool null() override { return true; }
@@ -107,6 +110,9 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
   }
   DepthCounter counter;
   if (!json::sax_parse(text.begin(), text.end(), &counter)) {
+    if (counter.containers > kMaxJsonContainers)
+      source.fail("JSON", "holds more than the " + std::to_string(kMaxJsonContainers) +
+                              " objects and arrays that are read");
     if (counter.error.empty())
       source.fail("JSON", "is nested deeper than " + std::to_string(kMaxJsonDepth) + " levels");
     source.fail("JSON", counter.error);
@@ -119,11 +125,31 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
 }  // namespace
 
 void GltfSource::fail(const std::string& field, const std::string& what) const {
-  throw InputError(path.string() + ": " + field, what);
+  // Each part keeps its share: a path or a name of a thousand letters must not hide the reason.
+  const std::string where = shortened(printable(path.string()), 120) + ": " +
+                            shortened(printable(field), 100);
+  throw InputError(where, shortened(printable(what), kMaxErrorBytes - where.size() - 2));
 }
 
 void GltfSource::warn(const std::string& what) {
-  if (std::ranges::find(warnings, what) == warnings.end()) warnings.push_back(what);
+  const std::string text = shortened(printable(what), kMaxErrorBytes);
+  if (warned.contains(text)) return;
+  if (warnings.size() >= kMaxWarnings) {
+    ++unsaid;
+    return;
+  }
+  warned.insert(text);
+  warnings.push_back(text);
+}
+
+void GltfSource::take(const std::string& field, size_t count, size_t each) {
+  const size_t most = kFreeBytes + kBytesPerByte * fileBytes;
+  const size_t left = most - std::min(most, takenBytes);
+  if (each > 0 && count > left / each)
+    fail(field, "takes the scene beyond the " + std::to_string(most >> 20) +
+                    " MiB of memory that a file of " + std::to_string(fileBytes) +
+                    " bytes may ask for (count " + std::to_string(count) + ")");
+  takenBytes += count * each;
 }
 
 std::string shown(const json& value) {
@@ -132,16 +158,18 @@ std::string shown(const json& value) {
                          ? "an array of " + std::to_string(value.size())
                      : value.is_object() && value.size() > 4 ? "an object"
                      : value.is_string() && value.get_ref<const std::string&>().size() > 60
-                         ? "\"" + value.get_ref<const std::string&>().substr(0, 57) + "...\""
+                         ? "\"" + printable(shortened(value.get_ref<const std::string&>(), 60)) + "\""
                          : value.dump(-1, ' ', true, json::error_handler_t::replace);
   if (text.size() > 80) text = text.substr(0, 77) + "...";
   return text;
 }
 
-GltfSource readGltfSource(const std::filesystem::path& path) {
+GltfSource readGltfSource(const std::filesystem::path& path, const GltfOptions& options) {
   GltfSource source;
   source.path = path;
+  source.options = options;
   const std::vector<uint8_t> bytes = readWholeFile(path, kMaxFileBytes);
+  source.fileBytes = bytes.size();
   if (bytes.empty()) throw InputError(path.string(), "is empty, expected glTF");
   const bool binary = bytes.size() >= 4 && wordAt(bytes, 0) == kGlbMagic;
   std::span<const uint8_t> text = bytes;

@@ -1,4 +1,5 @@
 // Images and the slots that use them.
+#include <cfloat>
 #include <cmath>
 
 #include "suites/scenes/gltf_context.h"
@@ -44,59 +45,69 @@ bool fileMissing(const GltfContext& context, const std::string& field, const jso
   return !std::filesystem::exists(uriPath(context.source, field + ".uri", image["uri"]), ignored);
 }
 
-std::vector<uint8_t> imageBytes(GltfContext& context, const std::string& field, const json& image,
-                                std::string& mimeType) {
+// Bytes of an image; `owned` keeps those that lie in no buffer.
+std::span<const uint8_t> imageBytes(GltfContext& context, const std::string& field,
+                                    const json& image, std::string& mimeType,
+                                    std::vector<uint8_t>& owned) {
   if (image.contains("uri") == image.contains("bufferView"))
     context.fail(field, "needs either a uri or a bufferView");
-  if (image.contains("uri")) return readUri(context.source, field + ".uri", image["uri"], mimeType);
+  if (image.contains("uri"))
+    return owned = readUri(context.source, field + ".uri", image["uri"], mimeType);
   const size_t index = image["bufferView"].get<size_t>();
   const tinygltf::BufferView& view = context.model.bufferViews[index];
   if (view.byteStride != 0)
     context.warn(fieldAt("bufferViews", index) + ".byteStride is set for an image and ignored");
   if (!image.contains("mimeType")) context.warn(field + ".mimeType is missing");
-  const std::vector<uint8_t>& buffer = context.source.buffers[size_t(view.buffer)];
-  const auto begin = buffer.begin() + std::ptrdiff_t(view.byteOffset);
-  return {begin, begin + std::ptrdiff_t(view.byteLength)};
+  const std::span<const uint8_t> buffer = context.source.buffers[size_t(view.buffer)];
+  return buffer.subspan(view.byteOffset, view.byteLength);
 }
 
 void checkMimeType(GltfContext& context, const std::string& field, const std::string& stated,
                    ImageFormat format) {
-  const char* found = format == ImageFormat::Png ? "image/png" : "image/jpeg";
-  if (!stated.empty() && stated != found)
-    context.warn(field + " states type '" + stated + "' but is " + found);
+  if (!stated.empty() && stated != mediaType(format))
+    context.warn(field + " states type '" + stated + "' but is " + mediaType(format));
+}
+
+Image readImage(GltfContext& context, const std::string& field, const json& source,
+                std::string& mimeType) {
+  std::vector<uint8_t> owned;
+  const std::span<const uint8_t> bytes = imageBytes(context, field, source, mimeType, owned);
+  const ImageFormat format = imageFormat(bytes);
+  if (format == ImageFormat::Unknown) {
+    context.warn(field + " is neither PNG, JPEG nor WebP and was not read");
+    return {};
+  }
+  const ImageSize size = imageSize(bytes);
+  std::string error;
+  if (size.width <= kMaxImageSide && size.height <= kMaxImageSide)
+    context.source.take(field, size_t(size.width) * size.height, 4);
+  Image image = decodeImage(bytes, kMaxImagePixels - context.pixels, error);
+  if (image.rgba.empty()) context.fail(field, error);
+  context.pixels += image.rgba.size() / 4;
+  checkMimeType(context, field, mimeType, format);
+  if (source.contains("mimeType"))
+    checkMimeType(context, field + ".mimeType", source["mimeType"], format);
+  return image;
 }
 
 }  // namespace
 
 void readImages(GltfContext& context) {
-  const json images = context.source.json.value("images", json::array());
-  size_t pixels = 0;
-  for (size_t i = 0; i < images.size(); ++i) {
+  const auto images = context.source.json.find("images");
+  for (size_t i = 0; images != context.source.json.end() && i < images->size(); ++i) {
     const std::string field = fieldAt("images", i);
+    const json& source = (*images)[i];
     std::string mimeType;
-    Image image;
-    if (fileMissing(context, field, images[i])) {
-      context.warn(field + ".uri: file " + shown(images[i]["uri"]) + " not found");
-      context.scene.images.push_back(image);
+    if (fileMissing(context, field, source)) {
+      context.warn(field + ".uri: file " + shown(source["uri"]) + " not found");
+      context.scene.images.emplace_back();
       continue;
     }
-    const std::vector<uint8_t> bytes = imageBytes(context, field, images[i], mimeType);
-    const ImageFormat format = imageFormat(bytes);
-    if (format == ImageFormat::Unknown) {
-      context.warn(field + " is neither PNG nor JPEG and was not read");
-    } else {
-      std::string error;
-      image = decodeImage(bytes, kMaxImagePixels - pixels, error);
-      if (image.rgba.empty()) context.fail(field, error);
-      checkMimeType(context, field, mimeType, format);
-      if (images[i].contains("mimeType"))
-        checkMimeType(context, field + ".mimeType", images[i]["mimeType"], format);
-      pixels += image.rgba.size() / 4;
-    }
-    if (const auto name = images[i].find("name"); name != images[i].end() && name->is_string())
+    Image image = readImage(context, field, source, mimeType);
+    if (const auto name = source.find("name"); name != source.end() && name->is_string())
       image.name = *name;
-    else if (images[i].contains("uri") && mimeType.empty())
-      image.name = std::filesystem::path(images[i]["uri"].get<std::string>()).stem().string();
+    else if (source.contains("uri") && mimeType.empty())
+      image.name = std::filesystem::path(source["uri"].get<std::string>()).stem().string();
     context.scene.images.push_back(std::move(image));
   }
 }
@@ -107,11 +118,15 @@ TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int 
   if (texture < 0) return slot;
   const tinygltf::Texture& source = context.model.textures[size_t(texture)];
   const std::string textureField = fieldAt("textures", size_t(texture));
-  if (source.source < 0 || context.scene.images[size_t(source.source)].rgba.empty()) {
+  int image = source.source;
+  if (const auto webp = source.extensions.find("EXT_texture_webp");
+      webp != source.extensions.end() && webp->second.Has("source"))
+    image = webp->second.Get("source").GetNumberAsInt();
+  if (image < 0 || context.scene.images[size_t(image)].rgba.empty()) {
     context.warn(field + " is left out: " + textureField + " has no image that could be read");
     return slot;
   }
-  slot.image = uint32_t(source.source);
+  slot.image = uint32_t(image);
   slot.srgb = srgb;
   if (source.sampler >= 0) {
     const tinygltf::Sampler& sampler = context.model.samplers[size_t(source.sampler)];
@@ -122,6 +137,10 @@ TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int 
   }
   if (const auto found = extensions.find("KHR_texture_transform"); found != extensions.end()) {
     slot.uvTransform = transformRows(found->second);
+    for (const glm::vec3& row : slot.uvTransform)
+      if (!glm::all(glm::lessThan(glm::abs(row), glm::vec3(FLT_MAX))))
+        context.fail(field + ".extensions.KHR_texture_transform",
+                     "overflows, expected numbers that a 32-bit float can hold");
     if (found->second.Has("texCoord")) texCoord = found->second.Get("texCoord").GetNumberAsInt();
   }
   if (texCoord > 1)

@@ -63,6 +63,26 @@ std::string percentDecoded(const GltfSource& source, const std::string& field,
   return text;
 }
 
+// A file of others must not be able to name what it likes on this machine: neither by "..", encoded
+// or not, nor by links. The glTF file itself may be a link: its folder is where the link leads, or
+// where it stands.
+void refuseOutside(const GltfSource& source, const std::string& field, const std::string& uri,
+                   const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) source.fail(field, shown(uri) + " cannot be followed: " + error.message());
+  const auto within = [&](const fs::path& folder) {
+    const fs::path inside = target.lexically_relative(folder);
+    return !inside.empty() && *inside.begin() != "..";
+  };
+  const fs::path parent = source.path.parent_path();
+  if (within(fs::weakly_canonical(parent.empty() ? fs::path(".") : parent, error))) return;
+  if (within(fs::weakly_canonical(source.path, error).parent_path())) return;
+  source.fail(field, shown(uri) + " lies outside the file's folder, expected a file within it "
+                                  "(--allow-outside reads it)");
+}
+
 }  // namespace
 
 std::filesystem::path uriPath(const GltfSource& source, const std::string& field,
@@ -71,14 +91,18 @@ std::filesystem::path uriPath(const GltfSource& source, const std::string& field
   const size_t colon = uri.find(':');
   if (colon != std::string::npos && uri.find('/') > colon)
     source.fail(field, shown(uri) + " is not a file: expected a relative path or a data uri");
-  const std::filesystem::path relative = percentDecoded(source, field, uri, false);
-  if (relative.is_absolute())
-    source.fail(field, shown(uri) + " is an absolute path, expected a relative one");
-  return source.path.parent_path() / relative;
+  const std::filesystem::path named = percentDecoded(source, field, uri, false);
+  const std::filesystem::path path = source.path.parent_path() / named;
+  if (source.options.allowOutside) return path;
+  if (named.is_absolute())
+    source.fail(field, shown(uri) + " is an absolute path, expected one within the file's folder "
+                                    "(--allow-outside reads it)");
+  refuseOutside(source, field, uri, path);
+  return path;
 }
 
-std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
-                             const std::string& uri, std::string& mimeType) {
+std::vector<uint8_t> readUri(GltfSource& source, const std::string& field, const std::string& uri,
+                             std::string& mimeType) {
   mimeType.clear();
   if (uri.starts_with("data:")) {
     const size_t comma = uri.find(',');
@@ -96,35 +120,66 @@ std::vector<uint8_t> readUri(const GltfSource& source, const std::string& field,
   }
   const std::filesystem::path path = uriPath(source, field, uri);
   try {
-    return readWholeFile(path, kMaxFileBytes);
+    // What is named a thousand times is read a thousand times: bounded in sum.
+    const size_t left = kMaxFileBytes - std::min(kMaxFileBytes, source.namedBytes);
+    std::vector<uint8_t> bytes = readWholeFile(path, left);
+    source.namedBytes += bytes.size();
+    source.fileBytes += bytes.size();
+    return bytes;
   } catch (const InputError& error) {
     source.fail(field, error.what());
   }
 }
 
+namespace {
+
+// Buffers whose bytes something reads. Compressed views read those of their extension; the buffer
+// that they name themselves stands in for viewers without it.
+std::vector<uint8_t> usedBuffers(const GltfSource& source, size_t count) {
+  std::vector<uint8_t> used(count);
+  const auto views = source.json.find("bufferViews");
+  if (views == source.json.end()) return used;
+  for (const json& view : *views) {
+    const json* reads = &view;
+    if (view.contains("extensions"))
+      if (const auto found = view["extensions"].find("EXT_meshopt_compression");
+          found != view["extensions"].end())
+        reads = &*found;
+    used[(*reads)["buffer"].get<size_t>()] = 1;
+  }
+  return used;
+}
+
+std::vector<uint8_t> bufferBytes(GltfSource& source, const std::string& field,
+                                 const json& buffer) {
+  std::string mimeType;
+  std::vector<uint8_t> bytes = readUri(source, field + ".uri", buffer["uri"], mimeType);
+  if (!mimeType.empty() && mimeType != "application/octet-stream" &&
+      mimeType != "application/gltf-buffer")
+    source.warn(field + ".uri: media type '" + mimeType +
+                "', expected application/octet-stream; its bytes are used");
+  return bytes;
+}
+
+}  // namespace
+
 void loadBuffers(GltfSource& source) {
-  const json buffers = source.json.value("buffers", json::array());
-  source.buffers.resize(buffers.size());
+  const auto found = source.json.find("buffers");
+  if (found == source.json.end()) return;
+  source.buffers.resize(found->size());
+  const std::vector<uint8_t> used = usedBuffers(source, found->size());
   size_t total = 0;
-  for (size_t i = 0; i < buffers.size(); ++i) {
+  for (size_t i = 0; i < found->size(); ++i) {
     const std::string field = "buffers[" + std::to_string(i) + "]";
-    const json& buffer = buffers[i];
+    const json& buffer = (*found)[i];
     const size_t length = buffer["byteLength"].get<size_t>();
     std::vector<uint8_t>& bytes = source.buffers[i];
     if (buffer.contains("uri")) {
-      std::string mimeType;
-      bytes = readUri(source, field + ".uri", buffer["uri"], mimeType);
-      if (!mimeType.empty() && mimeType != "application/octet-stream" &&
-          mimeType != "application/gltf-buffer")
-        source.warn(field + ".uri: media type '" + mimeType +
-                    "', expected application/octet-stream; its bytes are used");
+      bytes = bufferBytes(source, field, buffer);
     } else if (i == 0 && source.hasBinChunk) {
       bytes = source.binChunk;
     } else {
-      bool used = i == 0 && source.path.extension() == ".glb";
-      for (const json& view : source.json.value("bufferViews", json::array()))
-        used |= view["buffer"] == i;
-      if (used) source.fail(field, "has neither a uri nor a GLB chunk that holds its data");
+      if (used[i]) source.fail(field, "has neither a uri nor a GLB chunk that holds its data");
       source.warn(field + " has no data and is not used");
       continue;
     }

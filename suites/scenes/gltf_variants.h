@@ -26,6 +26,8 @@ class Variants {
     }
     const auto [found, added] = m_meshes.try_emplace({mesh, mirrored, scale}, mesh);
     if (!added || (!mirrored && scale == 1)) return found->second;
+    m_context.source.take("nodes", scene.meshes[mesh].positions.size(), 72);
+    m_context.source.take("nodes", scene.meshes[mesh].indices.size(), 6);
     Mesh variant = mirrored ? mirroredMesh(scene.meshes[mesh]) : scene.meshes[mesh];
     if (scale != 1) variant.material = thickened(variant.material, scale);
     variant.key = uint32_t(scene.meshes.size());
@@ -68,6 +70,8 @@ class Variants {
     if (added) {
       scene.materials.push_back(scene.materials[material]);
       scene.materials.back().thickness *= float(scale);
+      if (!std::isfinite(scene.materials.back().thickness))
+        m_context.fail("nodes", "scale the thickness of a material beyond what a float can hold");
       m_baseOfMaterial.push_back(material);
     }
     return found->second;

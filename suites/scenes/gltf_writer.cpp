@@ -6,8 +6,10 @@
 #include "suites/scenes/bounds.h"
 #include "suites/scenes/file_io.h"
 #include "suites/scenes/gltf_export.h"
+#include "suites/scenes/gltf_source.h"
 #include "suites/scenes/image_codec.h"
 #include "suites/scenes/mesh_tools.h"
+#include "techniques/common/error.h"
 
 namespace sb {
 namespace {
@@ -150,6 +152,8 @@ std::vector<uint8_t> GltfWriter::write() {
                           {{"shadowbench",
                             {{"ambient", vectorJson(m_scene.ambient)},
                              {"background", vectorJson(m_scene.background)}}}}}};
+  if (m_scene.sky != glm::vec3(0))
+    m_gltf["scenes"][0]["extras"]["shadowbench"]["sky"] = vectorJson(m_scene.sky);
   addImages();
   for (uint32_t i = 0; i < m_scene.materials.size(); ++i) {
     // The first scale that a material is used at keeps its place in the list.
@@ -171,6 +175,10 @@ std::vector<uint8_t> GltfWriter::write() {
   const std::string text = m_gltf.dump(-1, ' ', true, json::error_handler_t::replace);
   std::vector<uint8_t> jsonBytes(text.begin(), text.end());
   pad(jsonBytes, ' ');
+  if (jsonBytes.size() > kMaxJsonBytes)
+    throw InputError("export", "the scene's JSON would have " + std::to_string(jsonBytes.size()) +
+                                   " bytes, at most " + std::to_string(kMaxJsonBytes) +
+                                   " are read again; nothing was written");
   std::vector<uint8_t> file = {'g', 'l', 'T', 'F'};
   const size_t binary = m_bytes.empty() ? 0 : 8 + m_bytes.size();
   appendWord(file, 2);
@@ -186,7 +194,13 @@ std::vector<uint8_t> GltfWriter::write() {
 }
 
 void exportGlb(const Scene& scene, const std::filesystem::path& path) {
-  writeWholeFile(path, GltfWriter(scene).write());
+  const std::vector<uint8_t> bytes = GltfWriter(scene).write();
+  // What is written must load again.
+  if (bytes.size() > kMaxFileBytes)
+    throw InputError(path.string(), "would have " + std::to_string(bytes.size()) +
+                                        " bytes, at most " + std::to_string(kMaxFileBytes) +
+                                        " are read again; nothing was written");
+  writeWholeFile(path, bytes);
 }
 
 }  // namespace sb

@@ -16,7 +16,9 @@ int wrapCode(Wrap wrap) {
 // offset, rotation and scale that give the rows again (see gltf_texture.cpp).
 json transformJson(const std::array<glm::vec3, 2>& rows) {
   const double sx = std::hypot(rows[0].x, rows[1].x);
-  const double turn = std::atan2(-double(rows[1].x), double(rows[0].x));
+  // A scale of 0 along u leaves the turn to be read from v.
+  const double turn = sx > 0 ? std::atan2(-double(rows[1].x), double(rows[0].x))
+                             : std::atan2(double(rows[0].y), double(rows[1].y));
   const double c = std::cos(turn), s = std::sin(turn);
   const double sy = s * rows[0].y + c * rows[1].y;
   if (std::abs(c * rows[0].y - s * rows[1].y) > 1e-5 * (std::abs(sy) + 1))
@@ -103,7 +105,7 @@ json GltfWriter::materialJson(const Material& m) {
   json extensions = materialExtensions(m);
   const float brightest = std::max({m.emissive.r, m.emissive.g, m.emissive.b});
   // Factors end at 1; a power of two takes the rest without rounding.
-  const float strength = brightest > 1 ? std::exp2(std::ceil(std::log2(brightest))) : 1.0f;
+  const float strength = brightest > 1 ? std::exp2(std::min(std::ceil(std::log2(brightest)), 127.0f)) : 1.0f;
   if (strength > 1) {
     use("KHR_materials_emissive_strength");
     extensions["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;

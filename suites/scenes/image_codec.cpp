@@ -1,6 +1,27 @@
 #include "suites/scenes/image_codec.h"
 
+#include <webp/decode.h>
+
+#include <cstdlib>
 #include <cstring>
+
+namespace sb {
+namespace {
+
+// What one decoding may still allocate: stb unpacks a deflate stream to its end, however small the
+// picture that it is for.
+thread_local size_t memoryLeft = 0;
+
+void* takeMemory(void* old, size_t oldSize, size_t size) {
+  const size_t more = size > oldSize ? size - oldSize : 0;
+  if (more > memoryLeft) return nullptr;
+  void* memory = std::realloc(old, size);
+  if (memory) memoryLeft -= more;
+  return memory;
+}
+
+}  // namespace
+}  // namespace sb
 
 // Static: other parts of the program may hold stb of their own.
 #pragma GCC diagnostic push
@@ -12,6 +33,11 @@
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 16384
+// Sizes are unknown when memory is given back: what was taken stays counted.
+#define STBI_MALLOC(size) sb::takeMemory(nullptr, 0, size)
+#define STBI_REALLOC_SIZED(old, oldSize, size) sb::takeMemory(old, oldSize, size)
+#define STBI_REALLOC(old, size) sb::takeMemory(old, 0, size)
+#define STBI_FREE(memory) std::free(memory)
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -37,35 +63,63 @@ bool pngComplete(std::span<const uint8_t> bytes) {
 
 }  // namespace
 
-ImageFormat imageFormat(std::span<const uint8_t> bytes) {
-  constexpr uint8_t kPng[] = {0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A};
-  constexpr uint8_t kJpeg[] = {0xFF, 0xD8, 0xFF};
-  if (bytes.size() >= 8 && std::memcmp(bytes.data(), kPng, 8) == 0) return ImageFormat::Png;
-  if (bytes.size() >= 3 && std::memcmp(bytes.data(), kJpeg, 3) == 0) return ImageFormat::Jpeg;
-  return ImageFormat::Unknown;
+namespace {
+
+Image decodeWithStb(std::span<const uint8_t> bytes, ImageSize size, std::string& error) {
+  Image image;
+  const size_t pixels = size_t(size.width) * size.height;
+  // 16 bits a channel, unpacked, converted, and the coefficients of a progressive JPEG.
+  memoryLeft = 48 * pixels + 2 * bytes.size() + (size_t(1) << 20);
+  int width = 0, height = 0, channels = 0;
+  uint8_t* data =
+      stbi_load_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels, 4);
+  if (!data)
+    return error = std::string("cannot be decoded: ") +
+                   (std::strcmp(stbi_failure_reason(), "outofmem") == 0
+                        ? "its data unpack to more than its size says"
+                        : stbi_failure_reason()),
+           image;
+  if (uint32_t(width) == size.width && uint32_t(height) == size.height) {
+    image.width = size.width;
+    image.height = size.height;
+    image.rgba.assign(data, data + 4 * pixels);
+  } else {
+    error = "cannot be decoded: its headers state different sizes";
+  }
+  stbi_image_free(data);
+  return image;
 }
 
+Image decodeWebP(std::span<const uint8_t> bytes, ImageSize size, std::string& error) {
+  Image image{.width = size.width, .height = size.height};
+  image.rgba.resize(size_t(4) * size.width * size.height);
+  if (WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(),
+                         int(4 * size.width)))
+    return image;
+  error = "cannot be decoded: it is no sound still WebP picture";
+  return {};
+}
+
+}  // namespace
+
 Image decodeImage(std::span<const uint8_t> bytes, size_t maxPixels, std::string& error) {
-  Image image;
   const ImageFormat format = imageFormat(bytes);
-  if (format == ImageFormat::Unknown) return error = "is neither PNG nor JPEG", image;
-  if (format == ImageFormat::Png && !pngComplete(bytes)) return error = "is cut off", image;
-  int width = 0, height = 0, channels = 0;
-  const auto* data = bytes.data();
-  const int size = int(bytes.size());
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 || height < 1)
-    return error = std::string("cannot be decoded: ") + stbi_failure_reason(), image;
-  if (size_t(width) * size_t(height) > maxPixels)
-    return error = "has " + std::to_string(width) + "x" + std::to_string(height) +
-                   " pixels, more than the " + std::to_string(maxPixels) + " left to read",
-           image;
-  uint8_t* pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
-  if (!pixels) return error = std::string("cannot be decoded: ") + stbi_failure_reason(), image;
-  image.width = uint32_t(width);
-  image.height = uint32_t(height);
-  image.rgba.assign(pixels, pixels + size_t(width) * size_t(height) * 4);
-  stbi_image_free(pixels);
-  return image;
+  if (format == ImageFormat::Unknown) return error = "is neither PNG, JPEG nor WebP", Image();
+  if (format == ImageFormat::Png && !pngComplete(bytes)) return error = "is cut off", Image();
+  const ImageSize size = imageSize(bytes);
+  const std::string sides = std::to_string(size.width) + "x" + std::to_string(size.height);
+  if (size.width == 0 || size.height == 0)
+    return error = "cannot be decoded: its header states no size", Image();
+  if (size.width > kMaxImageSide || size.height > kMaxImageSide)
+    return error = "has " + sides + " pixels, at most " + std::to_string(kMaxImageSide) +
+                   " a side are read",
+           Image();
+  if (size_t(size.width) * size.height > maxPixels)
+    return error = "has " + sides + " pixels, more than the " + std::to_string(maxPixels) +
+                   " left to read",
+           Image();
+  return format == ImageFormat::WebP ? decodeWebP(bytes, size, error)
+                                     : decodeWithStb(bytes, size, error);
 }
 
 std::vector<uint8_t> encodePng(const Image& image) {

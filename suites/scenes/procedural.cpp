@@ -2,6 +2,8 @@
 #include "suites/scenes/procedural.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
@@ -33,11 +35,26 @@ struct SplitSpec {
   std::vector<SceneEdit> edits;
 };
 
-/// No name of a scene holds a question mark; globs behind the first one may.
+/// Where the edits begin: the '?' behind the name, or the end. Procedural scenes hold none in their
+/// names; files may: of the places where a '?' follows a file's ending, the last one before which a
+/// file stands counts, else the first.
+size_t baseLength(std::string_view spec) {
+  size_t first = spec.npos, existing = spec.npos;
+  for (size_t at = 0; at <= spec.size(); ++at) {
+    if ((at < spec.size() && spec[at] != '?') || !isFile(spec.substr(0, at))) continue;
+    if (first == spec.npos) first = at;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(spec.substr(0, at), ignored)) existing = at;
+  }
+  if (existing != spec.npos) return existing;
+  if (first != spec.npos) return first;
+  return std::min(spec.find('?'), spec.size());
+}
+
 SplitSpec splitSpec(std::string_view spec) {
-  const size_t mark = spec.find('?');
-  if (mark == spec.npos) return {spec, {}};
-  return {spec.substr(0, mark), parseEdits(spec.substr(mark + 1))};
+  const size_t length = baseLength(spec);
+  if (length == spec.size()) return {spec, {}};
+  return {spec.substr(0, length), parseEdits(spec.substr(length + 1))};
 }
 
 std::string valueText(const SceneParam& param, double value) {
@@ -128,16 +145,27 @@ std::vector<SceneInfo> proceduralScenes() {
 Scene makeScene(std::string_view spec) {
   const auto [base, edits] = splitSpec(spec);
   Scene scene;
-  if (isFile(base)) {
-    scene = loadGltf(base);
+  const bool file = isFile(base);
+  const GltfOptions options = fileOptions(edits, file);
+  if (file) {
+    scene = loadGltf(base, options);
   } else {
     const Parsed parsed = parseSpec(base);
     scene = parsed.scene->make(parsed.values);
     scene.name = canonical(parsed);
   }
   applyEdits(scene, edits);
+  if (scene.cameras.size() > 1 && scene.camera().name != "edit")
+    scene.warnings.push_back("the scene holds " + std::to_string(scene.cameras.size()) +
+                             " cameras; the picture shows '" + scene.camera().name +
+                             "' (--camera NAME|INDEX shows another)");
   for (uint32_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].key = i;
   return scene;
+}
+
+std::string withEdit(std::string_view spec, std::string_view edit) {
+  const bool first = baseLength(spec) == spec.size();
+  return std::string(spec).append(first ? "?" : ";").append(edit);
 }
 
 std::string canonicalSceneSpec(std::string_view spec) {

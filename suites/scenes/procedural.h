@@ -38,6 +38,9 @@ std::vector<SceneInfo> proceduralScenes();
 /// numbers or out of range, parameters given twice, and what loadGltf() throws.
 Scene makeScene(std::string_view spec);
 
+/// `spec` with one more edit behind it.
+std::string withEdit(std::string_view spec, std::string_view edit);
+
 /// `spec` with parameters in their documented order, default values left out: equal for equal
 /// scenes. A file's path stays as it is. Throws like makeScene(), but reads no file.
 std::string canonicalSceneSpec(std::string_view spec);

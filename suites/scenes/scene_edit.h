@@ -5,6 +5,10 @@
 //   sun:direction=X,Y,Z[,lux=E]                    one white directional light instead of all lights
 //   motion:move=X,Y,Z[,turn=DEGREES][,steps=N]     the camera arrives at its place from X,Y,Z before
 //                                                  it, turning about its up axis, in N frames [8]
+//   camera:show=NAME|NUMBER                        the scene's camera of that name, or that one in the
+//                                                  order of `bench scene`
+//   ground:size=N                                  a plane below the scene, N times as wide (framing.h)
+//   file:scene=NAME|INDEX[,outside=1]              which scene of a glTF file; files outside its folder
 //   GLOB:alpha=A[,t=T or R,G,B]                    optics of the materials whose names match (D8)
 #pragma once
 
@@ -12,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "suites/scenes/gltf_source.h"
 #include "techniques/common/scene.h"
 
 namespace sb {
@@ -19,6 +24,8 @@ namespace sb {
 struct SceneEdit {
   std::string target;  ///< "camera", "sun", "motion", or a glob over material names (* and ?)
   std::vector<std::pair<std::string, std::vector<double>>> values;  ///< in their documented order
+  /// Values that are names, percent-encoded where a spec could not hold them.
+  std::vector<std::pair<std::string, std::string>> names;
 };
 
 /// What stands behind '?'. Throws InputError naming the edit and the value.
@@ -27,5 +34,11 @@ std::vector<SceneEdit> parseEdits(std::string_view text);
 std::string canonicalEdits(const std::vector<SceneEdit>& edits);
 /// Throws InputError when a glob matches no material.
 void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits);
+
+/// What the edits say about reading a file. Throws InputError when `isFile` is false and a scene of a
+/// file is asked for.
+GltfOptions fileOptions(const std::vector<SceneEdit>& edits, bool isFile);
+/// A name as it stands in an edit: everything but letters, digits, '_', '-', '.' as %XX.
+std::string encodedName(std::string_view name);
 
 }  // namespace sb

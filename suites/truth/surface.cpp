@@ -106,7 +106,8 @@ glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
   if (has(TEXTURE_EMISSIVE)) emissive *= glm::vec3(sample(TEXTURE_EMISSIVE));
 
   const glm::vec3 n = shadingNormal(normal), v = glm::normalize(-position);
-  glm::vec3 radiance = emissive + ambient * base * (occlusion * share);
+  glm::vec3 radiance =
+      emissive + gpu::ambientLight(ambient, m_scene.sky, n) * base * (occlusion * share);
   for (const Arrival& a : arrivals)
     radiance += gpu::reflectedLight(base, metal, roughness, transmission, n, v, a.toLight) * a.radiance;
   return radiance;

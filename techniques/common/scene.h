@@ -156,6 +156,9 @@ struct Scene {
   /// whatever knows no motion sees the last frame. Empty: the camera stands still.
   std::vector<Camera> path;
   glm::vec3 ambient = glm::vec3(0.1f);    ///< radiance that reaches every point from everywhere
+  /// Radiance of the sky straight above, on top of `ambient`: a surface gets the share (1 + n.y) / 2
+  /// of it, half at a wall, none from below; unshadowed, like `ambient`. Up is +y.
+  glm::vec3 sky = glm::vec3(0);
   glm::vec3 background = glm::vec3(0);    ///< linear radiance where no surface is
   std::vector<std::string> warnings;      ///< what loading found and mended, for people
   const Camera& camera() const { return cameras.front(); }

@@ -172,7 +172,8 @@ void SceneView::writeFrame(const Write& write) const {
   const gpu::FrameData frame{.viewProjection = glm::mat4(m_camera.viewProjection),
                              .ambient = glm::vec4(scene().ambient, 0),
                              .counts = {uint32_t(lights), m_size.width, m_size.height, m_seed},
-                             .eye = glm::vec4(m_camera.eye, 1)};
+                             .eye = glm::vec4(m_camera.eye, 1),
+                             .sky = glm::vec4(scene().sky, 0)};
   write(m_frame, std::as_bytes(std::span(&frame, 1)));
 }
 

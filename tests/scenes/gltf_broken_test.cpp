@@ -34,8 +34,10 @@ TEST_F(GltfBroken, VersionsAndExtensions) {
   gltf["asset"].erase("version");
   expectError(gltf, {"asset.version", "is missing"});
   gltf = triangleFile();
-  gltf["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  expectError(gltf, {"extensionsRequired[0]", "KHR_draco_mesh_compression", "not supported"});
+  for (const char* name : {"EXT_unheard_of", "KHR_texture_basisu"}) {
+    gltf["extensionsRequired"] = {name};
+    expectError(gltf, {"extensionsRequired[0]", name, "not supported"});
+  }
 }
 
 TEST_F(GltfBroken, TypesAndReferences) {
@@ -118,9 +120,11 @@ TEST_F(GltfBroken, Nodes) {
   gltf = triangleFile();
   gltf["nodes"][0]["rotation"] = {0, 0, 0, 0};
   expectError(gltf, {"nodes[0].rotation", "no length"});
-  gltf["nodes"] = {{{"scale", {1e200, 1e200, 1e200}}, {"children", {1}}},
-                   {{"scale", {1e200, 1e200, 1e200}}, {"mesh", 0}}};
+  gltf["nodes"] = {{{"scale", {1e10, 1e10, 1e10}}, {"children", {1}}},
+                   {{"scale", {1e10, 1e10, 1e10}}, {"mesh", 0}}};
   expectError(gltf, {"nodes[1]", "overflows"});
+  gltf["nodes"][0]["scale"] = {1e200, 1e200, 1e200};
+  expectError(gltf, {"nodes[0]", "overflows"});
 }
 
 TEST_F(GltfBroken, Uris) {

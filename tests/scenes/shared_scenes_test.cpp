@@ -66,6 +66,7 @@ const std::set<std::string> kHarmless = {"accessor/byteoffset_no_bufferview.gltf
                                          "accessor/float_normalized.gltf",
                                          "buffer/empty_array.gltf",
                                          "buffer/invalid_uri_data_mime.gltf",
+                                         "buffer/no_bin_chunk.glb",
                                          "glb/bom.glb",
                                          "image/empty_array.gltf",
                                          "image/invalid_data_uri_mime_type.gltf",

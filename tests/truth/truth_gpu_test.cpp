@@ -51,6 +51,16 @@ GPU_TEST(TruthPicture, EqualsTheRasterisersWhereNoShadowFalls) {
   }
 }
 
+GPU_TEST(TruthPicture, EqualsTheRasterisersUnderASky) {
+  Scene scene = makeScene("teapot");
+  const auto dark = Tracer(scene, 120, 90).image();
+  scene.sky = {0.2f, 0.3f, 0.5f};
+  EXPECT_NE(Tracer(scene, 120, 90).image(), dark);
+  const Agreement a = agreement(cellDevice(device()), scene, {120, 90}, 2.0f / 255);
+  EXPECT_GT(a.covered, 500u);
+  EXPECT_EQ(a.differ, 0u) << "worst " << a.worst << " of " << a.lit << " pixels";
+}
+
 GPU_TEST(TruthPicture, EqualsTheRasterisersOnScenesOfOthers) {
   const std::filesystem::path shared = SHADOWBENCH_SHARED_SCENES;
   // Normal maps, alpha masks, transmission, textures with transforms, vertex colours.

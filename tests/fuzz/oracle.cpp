@@ -1,0 +1,112 @@
+#include "tests/fuzz/oracle.h"
+
+#include <cmath>
+
+#include "suites/scenes/gltf_export.h"
+#include "suites/scenes/gltf_loader.h"
+#include "suites/scenes/text.h"
+#include "techniques/common/error.h"
+
+namespace sb::fuzz {
+namespace {
+
+template <class V>
+bool allFinite(const std::vector<V>& values) {
+  for (const V& v : values)
+    for (int c = 0; c < V::length(); ++c)
+      if (!std::isfinite(v[c])) return false;
+  return true;
+}
+
+std::string meshFault(const Scene& scene, const Mesh& mesh) {
+  const size_t n = mesh.positions.size();
+  if (mesh.material >= scene.materials.size()) return "a mesh's material is not there";
+  if (mesh.normals.size() != n) return "normals are missing";
+  const bool mapped = scene.materials[mesh.material].normalTexture.present();
+  if (mesh.tangents.size() != (mapped ? n : 0)) return "tangents are missing or too many";
+  for (const size_t size : {mesh.uv0.size(), mesh.uv1.size(), mesh.colors.size()})
+    if (size != 0 && size != n) return "attributes differ in length";
+  if (mesh.indices.empty() || mesh.triangleKeys.size() * 3 != mesh.indices.size())
+    return "indices and keys disagree";
+  for (const uint32_t i : mesh.indices)
+    if (i >= n) return "an index beyond the vertices";
+  if (!allFinite(mesh.positions) || !allFinite(mesh.normals) || !allFinite(mesh.tangents) ||
+      !allFinite(mesh.uv0) || !allFinite(mesh.uv1) || !allFinite(mesh.colors))
+    return "an attribute is not finite";
+  return "";
+}
+
+std::string sceneFault(const Scene& scene) {
+  if (scene.cameras.empty() || scene.lights.empty()) return "no camera or no light";
+  for (const Mesh& mesh : scene.meshes)
+    if (const std::string fault = meshFault(scene, mesh); !fault.empty()) return fault;
+  for (const Instance& i : scene.instances) {
+    if (i.mesh >= scene.meshes.size()) return "an instance's mesh is not there";
+    for (int k = 0; k < 16; ++k)
+      if (!std::isfinite(float(i.toWorld[k / 4][k % 4]))) return "a transform is not finite";
+    if (i.name != printable(i.name)) return "a name is not printable";
+  }
+  for (const Material& m : scene.materials)
+    if (!std::isfinite(glm::dot(m.baseColor, glm::vec4(1))) ||
+        !std::isfinite(m.emissive.r + m.emissive.g + m.emissive.b) || !std::isfinite(m.thickness))
+      if (glm::any(glm::isnan(m.baseColor)) || glm::any(glm::isinf(m.baseColor)) ||
+          glm::any(glm::isnan(m.emissive)) || glm::any(glm::isinf(m.emissive)))
+        return "a material's colour is not finite";
+  for (const Light& l : scene.lights)
+    if (!std::isfinite(l.intensity) || !(std::abs(glm::length(l.direction) - 1) < 1e-6))
+      return "a light without sense";
+  for (const Camera& c : scene.cameras)
+    if (!(c.farPlane > c.nearPlane) || !std::isfinite(float(c.farPlane)))
+      return "a camera without depth";
+  for (const Image& i : scene.images)
+    if (i.rgba.size() != size_t(i.width) * i.height * 4) return "an image of another size";
+  for (const std::string& w : scene.warnings)
+    if (w.size() > 300 || w != printable(w)) return "a warning unfit for a terminal: " + w;
+  return "";
+}
+
+std::string roundTripFault(const Scene& scene, const std::filesystem::path& path) {
+  Scene back;
+  try {
+    exportGlb(scene, path);
+    back = loadGltf(path);
+  } catch (const InputError& e) {
+    const std::string text = e.what();
+    if (text.find("shears") != text.npos) return "";  // documented
+    return "what was exported is refused: " + text;
+  }
+  if (back.meshes.size() != scene.meshes.size() ||
+      back.instances.size() != scene.instances.size() ||
+      back.lights.size() != scene.lights.size() || back.cameras.size() != scene.cameras.size() ||
+      back.images.size() != scene.images.size() || back.materials.size() != scene.materials.size())
+    return "what was exported comes back as something else";
+  for (size_t i = 0; i < scene.meshes.size(); ++i)
+    if (back.meshes[i].positions != scene.meshes[i].positions ||
+        back.meshes[i].indices != scene.meshes[i].indices)
+      return "an exported mesh comes back as another";
+  if (back.ambient != scene.ambient || back.sky != scene.sky || back.background != scene.background)
+    return "surroundings come back as others";
+  return "";
+}
+
+}  // namespace
+
+Verdict judge(const std::filesystem::path& path, const std::filesystem::path& exported) {
+  Scene scene;
+  try {
+    scene = loadGltf(path);
+  } catch (const InputError& e) {
+    const std::string text = e.what();
+    if (text.size() > 300) return {Outcome::Fault, "an error of " + std::to_string(text.size())};
+    if (text != printable(text)) return {Outcome::Fault, "an error unfit for a terminal"};
+    for (const char* vague : {"cannot be read: ", "tinygltf: "})
+      if (text.find(vague) != text.npos) return {Outcome::Fault, "names no field: " + text};
+    return {Outcome::Refused, ""};
+  }
+  std::string fault = sceneFault(scene);
+  if (fault.empty() && !exported.empty()) fault = roundTripFault(scene, exported);
+  if (!fault.empty()) return {Outcome::Fault, fault};
+  return {Outcome::Loaded, ""};
+}
+
+}  // namespace sb::fuzz
