@@ -27,8 +27,7 @@ uint64_t numberIn(const char* file) {
 }
 
 /// Of this machine, or of the container that it is.
-uint64_t freeHostMemory() {
-  if (g_pretended) return *g_pretended;
+uint64_t trulyFree() {
   uint64_t free = UINT64_MAX;
   std::ifstream info("/proc/meminfo");
   for (std::string key; info >> key; info.ignore(256, '\n'))
@@ -38,6 +37,8 @@ uint64_t freeHostMemory() {
   if (most != UINT64_MAX && used != UINT64_MAX) free = std::min(free, most - std::min(most, used));
   return free;
 }
+
+uint64_t freeHostMemory() { return g_pretended ? *g_pretended : trulyFree(); }
 
 std::string mib(uint64_t bytes) {
   char text[32];
@@ -60,7 +61,7 @@ void requireMemory(const DeviceInfo& device, uint64_t live, const std::string& w
       refuse(live, device.memoryBytes, "device memory");
     return;
   }
-  static const uint64_t freeAtFirst = freeHostMemory();
+  static const uint64_t freeAtFirst = trulyFree();
   const uint64_t now = freeHostMemory();
   const uint64_t held = uint64_t(std::max<int64_t>(0, g_booked));
   const uint64_t first = uint64_t(kShare * double(g_pretended ? *g_pretended : freeAtFirst));

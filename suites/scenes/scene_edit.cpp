@@ -1,7 +1,9 @@
 #include "suites/scenes/scene_edit.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/number.h"
@@ -157,14 +159,12 @@ void showCamera(Scene& scene, const SceneEdit& edit) {
   std::vector<std::string> names;
   for (const Camera& camera : scene.cameras) names.push_back(camera.name);
   auto found = std::ranges::find(names, wanted);
-  size_t index = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  const bool number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (found == names.end() && number) {
-    if (index >= names.size())
+  const auto index = base::readWhole(wanted, 0, std::numeric_limits<uint32_t>::max());
+  if (found == names.end() && index) {
+    if (*index >= names.size())
       throw InputError(nameOf(edit), "there is no camera " + wanted + ", the scene has " +
                                          std::to_string(names.size()) + ", counted from 0");
-    found = names.begin() + std::ptrdiff_t(index);
+    found = names.begin() + std::ptrdiff_t(*index);
   }
   if (found == names.end())
     throw InputError(nameOf(edit), unknownName("camera", printable(wanted), names));

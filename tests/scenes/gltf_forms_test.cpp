@@ -201,9 +201,9 @@ TEST_F(GltfForms, MaterialsAndTextures) {
   EXPECT_NEAR(m.thickness, 4, 1e-5);  // mesh units, in a node of scale 2
   const Mesh& mesh = scene.meshes.at(0);
   ASSERT_EQ(mesh.tangents.size(), 3u);
-  // u runs along x, v along y: the bitangent cross(n, t) w must be +y.
+  // u runs along x, v along y: the bitangent cross(n, t) w points to where v falls.
   EXPECT_NEAR(mesh.tangents[0].x, 1, 1e-6);
-  EXPECT_EQ(mesh.tangents[0].w, 1);
+  EXPECT_EQ(mesh.tangents[0].w, -1);
 }
 
 TEST_F(GltfForms, AbsentImageCostsTheTextureOnly) {
