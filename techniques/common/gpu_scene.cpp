@@ -1,10 +1,12 @@
 #include "techniques/common/gpu_scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <tuple>
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/common/concave_sides.h"
 #include "techniques/common/material_data.h"
 
 namespace sb {
@@ -60,6 +62,8 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
                         .indexCount = uint32_t(mesh.indices.size()),
                         .vertexOffset = int32_t(positions.size()),
                         .firstTriangle = uint32_t(triangles.size())});
+    const std::vector<uint8_t> concave = concaveSides(mesh);
+    m_meshes.back().concave = std::ranges::any_of(concave, [](uint8_t bits) { return bits != 0; });
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     const size_t first = indices.size();
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -74,7 +78,9 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
       const glm::dvec3 c = mesh.positions[mesh.indices[3 * t + 2]];
       const glm::dvec3 n = glm::cross(b - a, c - a);
       const double length = glm::length(n);
-      const glm::vec3 normal = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
+      // The length says which sides are concave (shaders/common/shared_types.h).
+      const float scale = float(1u << concave[t]);
+      const glm::vec3 normal = length > 0 ? scale * glm::vec3(n / length) : glm::vec3(0);
       // Three points on a line may cover a texel once they are rounded, at any depth (spec 17, G5):
       // three times one point covers none.
       if (!(length > 0))

@@ -23,6 +23,7 @@ class GpuScene {
     uint32_t indexCount = 0;
     int32_t vertexOffset = 0;
     uint32_t firstTriangle = 0;  ///< into the triangle records
+    bool concave = false;        ///< some side of some triangle is (concave_sides.h)
   };
   const MeshRange& mesh(uint32_t index) const { return m_meshes[index]; }
 
