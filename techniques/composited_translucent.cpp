@@ -113,9 +113,9 @@ class CompositedTranslucent final : public ShadowTechnique {
     }
     if (m_levelled) return;
     m_nearest = m_maps->createLike(context, "translucent depth", m_maps->depthFormat());
-    m_nearestPipeline = m_maps->pipelines(
-        context, m_maps->casterPipeline(context, "translucent depth",
-                                        "translucent_shadows/depth.frag", false));
+    m_nearestPipeline =
+        m_maps->pipelines(context, m_maps->casterPipeline(context, "translucent depth",
+                                                          "translucent_shadows/depth.frag", false));
     // Nothing lies in another's shadow: one map serves all (spec 05, "Skip").
     m_inParts = context.plan.runs(Effect::TranslucentOverlap);
     planParts();

@@ -85,7 +85,8 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
       perforated |= !view.perforated.empty();
       translucent |= !view.translucent.empty();
     }
-    if (opaque) m_opaque = m_maps->pipelines(context, casters(context, "shadow map opaque", "", false));
+    if (opaque)
+      m_opaque = m_maps->pipelines(context, casters(context, "shadow map opaque", "", false));
     if (perforated)
       m_perforated = m_maps->pipelines(
           context, casters(context, "shadow map perforated", "common/masked.frag", true));

@@ -72,9 +72,9 @@ class TranslucentShadows final : public ShadowTechnique {
     m_colourFormat = colourMapFormat(context.knobs);
     m_depth = m_maps->createLike(context, "translucent depth", m_maps->depthFormat());
     m_colour = m_maps->createLike(context, "shadow colour", m_colourFormat);
-    m_depthPipeline = m_maps->pipelines(
-        context, m_maps->casterPipeline(context, "translucent depth",
-                                        "translucent_shadows/depth.frag", false));
+    m_depthPipeline =
+        m_maps->pipelines(context, m_maps->casterPipeline(context, "translucent depth",
+                                                          "translucent_shadows/depth.frag", false));
     rhi::GraphicsPipelineDesc desc =
         colourPipeline(context, *m_maps, "translucent_shadows/colour.frag", m_colourFormat);
     if (variant == 1 || variant == 2) {

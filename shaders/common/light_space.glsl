@@ -85,15 +85,15 @@ LightSample lightSample(uint light, Receiver r) {
   s.bias = 2.0 * view.texel.y + rounding + slope * (1.0 / 64.0);
   s.gradient = vec2(0);
   float unit = tangent > 0.0 ? slope / tangent : 0.0;  // slope of a plane at 45 degrees
-  if (kBias == BIAS_PLANE) {
-    s.gradient = gradient;
-    s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;
-  }
-  if (kBias == BIAS_SLOPE) s.bias += slope * radius;
-  if (kBias == BIAS_CONSTANT) s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
   // A surface that rises before its plane is stored receding, by as much as it may rise within the
   // filter, so that it does not come before the receiver itself; before the falling plane it might.
   bool rises = kConcave && (r.concave & (dot(r.normal, toLight) > 0.0 ? 1u : 2u)) != 0u;
+  if (kBias == BIAS_PLANE) {
+    s.gradient = gradient;
+    if (!rises) s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;
+  }
+  if (kBias == BIAS_SLOPE) s.bias += slope * radius;
+  if (kBias == BIAS_CONSTANT) s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
   s.least = rises ? s.uvz.z + s.bias : 0.0;
   return s;
 }

@@ -39,6 +39,7 @@ struct Edge {
   uint32_t low, high;  ///< welded vertices
   uint32_t triangle;
   uint32_t opposite;  ///< the triangle's third corner
+  bool forward;       ///< the triangle goes from low to high
 };
 
 std::vector<Edge> edgesOf(const Mesh& mesh) {
@@ -51,7 +52,7 @@ std::vector<Edge> edgesOf(const Mesh& mesh) {
       const uint32_t b = weld[mesh.indices[3 * t + (c + 1) % 3]];
       if (a != b)
         edges.push_back(
-            {std::min(a, b), std::max(a, b), t, weld[mesh.indices[3 * t + (c + 2) % 3]]});
+            {std::min(a, b), std::max(a, b), t, weld[mesh.indices[3 * t + (c + 2) % 3]], a < b});
     }
   std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
     return std::pair(a.low, a.high) < std::pair(b.low, b.high);
@@ -91,22 +92,29 @@ class Finder {
  public:
   explicit Finder(const Mesh& mesh) : m_mesh(mesh), m_sides(mesh.triangleCount()) {
     for (const glm::vec3& p : mesh.positions)
-      m_rounding = std::max({m_rounding, std::abs(double(p.x)), std::abs(double(p.y)),
-                             std::abs(double(p.z))});
+      m_rounding = std::max(
+          {m_rounding, std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
     m_rounding *= kRounding;
   }
 
-  std::vector<uint8_t> find() {
+  ConcaveSides find() {
     const std::vector<Edge> edges = edgesOf(m_mesh);
+    bool closed = !edges.empty();
     for (size_t first = 0, end = 0; first < edges.size(); first = end) {
       while (end < edges.size() && edges[end].low == edges[first].low &&
              edges[end].high == edges[first].high)
         ++end;
+      closed &= end == first + 2 && edges[first].forward != edges[first + 1].forward;
       for (size_t i = first; i < end; ++i)
         for (size_t k = first; k < end; ++k)
           if (i != k) meet(edges[i], edges[k]);
     }
-    return m_sides.bits();
+    ConcaveSides out{.ofTriangle = m_sides.bits()};
+    uint8_t all = 0;
+    for (const uint8_t bits : out.ofTriangle) all |= bits;
+    out.any = all != 0;
+    out.convexSolid = closed && all != (kConcaveFront | kConcaveBack);
+    return out;
   }
 
  private:
@@ -136,6 +144,20 @@ class Finder {
 
 }  // namespace
 
-std::vector<uint8_t> concaveSides(const Mesh& mesh) { return Finder(mesh).find(); }
+ConcaveSides concaveSides(const Mesh& mesh) { return Finder(mesh).find(); }
+
+bool risesInLight(const Scene& scene, const Instance& instance, const ConcaveSides& sides) {
+  if (!sides.any || !sides.convexSolid) return sides.any;
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const glm::dmat4 toMesh = glm::inverse(instance.toWorld);
+  const glm::dvec3 margin = 1e-6 * glm::dvec3(mesh.boundsMax - mesh.boundsMin);
+  return std::ranges::any_of(scene.lights, [&](const Light& light) {
+    if (light.type == LightType::Directional) return false;
+    const glm::dvec3 p(toMesh * glm::dvec4(light.position, 1));
+    // Not a number, of a singular transform, is inside too.
+    return !glm::any(glm::lessThan(p, glm::dvec3(mesh.boundsMin) - margin)) &&
+           !glm::any(glm::greaterThan(p, glm::dvec3(mesh.boundsMax) + margin));
+  });
+}
 
 }  // namespace sb

@@ -34,16 +34,16 @@ void DrawList::draw(rhi::CommandList& commands, const CasterPipelines& pipelines
     const GpuScene::MeshRange& mesh = gpu.mesh(meshIndex);
     auto& bindings = bindingsOf(m_view->scene().meshes[meshIndex].material);
     bindings.front().offset = m_view->drawOffset(i);
-    commands.drawIndexed({.pipeline = mesh.concave && pipelines.receding != rhi::PipelineId{}
-                                           ? pipelines.receding
-                                           : pipelines.exact,
-                          .bindings = bindings,
-                          .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
-                          .indexBuffer = gpu.indices()},
-                         {.indexCount = mesh.indexCount,
-                          .instanceCount = copies,
-                          .firstIndex = mesh.firstIndex,
-                          .vertexOffset = mesh.vertexOffset});
+    commands.drawIndexed(
+        {.pipeline = gpu.rises(i) && pipelines.receding != rhi::PipelineId{} ? pipelines.receding
+                                                                             : pipelines.exact,
+         .bindings = bindings,
+         .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
+         .indexBuffer = gpu.indices()},
+        {.indexCount = mesh.indexCount,
+         .instanceCount = copies,
+         .firstIndex = mesh.firstIndex,
+         .vertexOffset = mesh.vertexOffset});
   }
 }
 

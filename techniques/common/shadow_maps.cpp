@@ -77,18 +77,15 @@ namespace {
 /// hardware tap and to samples. 0: no caster rises before itself, or another bias is asked for.
 float recedingReach(const Context& context, uint32_t kernel, uint32_t samples) {
   if (!context.knobs.is("bias", "plane")) return 0;
-  const SceneView& view = context.view;
-  const auto concave = [&](uint32_t i) {
-    return view.gpu().mesh(view.scene().instances[i].mesh).concave;
-  };
-  if (std::ranges::none_of(view.lightViews(), [&](const LightView& v) {
-        return std::ranges::any_of(v.opaque, concave) || std::ranges::any_of(v.perforated, concave) ||
-               std::ranges::any_of(v.translucent, concave);
+  const auto rises = [&](uint32_t i) { return context.view.gpu().rises(i); };
+  if (std::ranges::none_of(context.view.lightViews(), [&](const LightView& v) {
+        return std::ranges::any_of(v.opaque, rises) || std::ranges::any_of(v.perforated, rises) ||
+               std::ranges::any_of(v.translucent, rises);
       }))
     return 0;
   const auto compare = context.knobs.all().find("compare");
-  const bool wide = samples > 1 ||
-                    (compare != context.knobs.all().end() && compare->second == "hardware");
+  const bool wide =
+      samples > 1 || (compare != context.knobs.all().end() && compare->second == "hardware");
   return 0.5f * float(wide ? kernel + 1 : kernel);
 }
 
