@@ -31,7 +31,7 @@ class CompositedTranslucent final : public ShadowTechnique {
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
     m_opaque.emplace(context, *m_maps);
     if (m_translucent) createTranslucent(context);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
     m_constants.push_back({19, m_translucent});
     m_constants.push_back({20, m_peel && !m_peel->empty()});
     m_constants.push_back({21, m_nearest.id() != rhi::TextureId{}});
@@ -113,8 +113,9 @@ class CompositedTranslucent final : public ShadowTechnique {
     }
     if (m_levelled) return;
     m_nearest = m_maps->createLike(context, "translucent depth", m_maps->depthFormat());
-    m_nearestPipeline = context.pipelines.get(m_maps->casterPipeline(
-        context, "translucent depth", "translucent_shadows/depth.frag", false));
+    m_nearestPipeline =
+        m_maps->pipelines(context, m_maps->casterPipeline(context, "translucent depth",
+                                                          "translucent_shadows/depth.frag", false));
     // Nothing lies in another's shadow: one map serves all (spec 05, "Skip").
     m_inParts = context.plan.runs(Effect::TranslucentOverlap);
     planParts();
@@ -232,7 +233,8 @@ class CompositedTranslucent final : public ShadowTechnique {
   rhi::Texture m_colour, m_nearest;
   rhi::Buffer m_receivers;
   std::optional<OpaqueCasters> m_opaque;
-  rhi::PipelineId m_colourPipeline, m_nearestPipeline;
+  CasterPipelines m_nearestPipeline;
+  rhi::PipelineId m_colourPipeline;
   ViewLevels m_levels;
   std::optional<LightPeel> m_peel;
   ReceiverParts m_parts;

@@ -32,7 +32,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
       m_maps->bind(m_noise->binding());
     }
     createPipelines(context);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
     m_constants.push_back({22, m_coloured});
     m_trials = m_noise && m_noise->independent() ? m_compare->equalTexels() : 0;
   }
@@ -46,7 +46,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
                    m_maps->plain(i).draw(commands, m_opaque, view.opaque, m_copies);
                    m_maps->surfaces(i).draw(commands, m_perforated, view.perforated, m_copies);
                    if (m_translucent)
-                     m_maps->surfaces(i).draw(commands, m_translucent, view.translucent, m_copies);
+                     m_maps->surfaces(i).draw(commands, *m_translucent, view.translucent, m_copies);
                  });
     }
   }
@@ -85,10 +85,11 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
       perforated |= !view.perforated.empty();
       translucent |= !view.translucent.empty();
     }
-    if (opaque) m_opaque = context.pipelines.get(casters(context, "shadow map opaque", "", false));
+    if (opaque)
+      m_opaque = m_maps->pipelines(context, casters(context, "shadow map opaque", "", false));
     if (perforated)
-      m_perforated = context.pipelines.get(
-          casters(context, "shadow map perforated", "common/masked.frag", true));
+      m_perforated = m_maps->pipelines(
+          context, casters(context, "shadow map perforated", "common/masked.frag", true));
     if (!m_coloured || !translucent) return;
     rhi::GraphicsPipelineDesc desc =
         casters(context, "shadow map translucent",
@@ -97,7 +98,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
     desc.constants.push_back({16, context.knobs.is("numbers", "shared")});
     desc.constants.insert(desc.constants.end(), m_noise->constants().begin(),
                           m_noise->constants().end());
-    m_translucent = context.pipelines.get(desc);
+    m_translucent = m_maps->pipelines(context, desc);
   }
 
   std::optional<ShadowMaps> m_maps;
@@ -108,7 +109,8 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   uint32_t m_samples = 1;
   uint32_t m_copies = 1;  ///< of each caster that a draw makes
   uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
-  rhi::PipelineId m_opaque, m_perforated, m_translucent;
+  CasterPipelines m_opaque, m_perforated;
+  std::optional<CasterPipelines> m_translucent;
   std::vector<rhi::SpecConstant> m_constants;
 };
 
@@ -117,8 +119,7 @@ std::vector<KnobInfo> knobs() {
   list.push_back(channelNumbersKnob());
   list.push_back(noiseKnob());
   list.push_back(mapSamplesKnob());
-  // One exact texel a tap, as in CSSM2: equal weights, whose bias can be certified.
-  list.push_back(compareKnob("manual"));
+  list.push_back(compareKnob());
   list.push_back({.name = "layered",
                   .help = "what sends casters to the layers: the vertex shader of three instances "
                           "(where the device can), or a geometry shader",

@@ -37,7 +37,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
       m_maps->bind(m_noise->binding());
     }
     createPipelines(context);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
     m_constants.push_back({19, m_coloured});
     m_constants.push_back({21, m_samples});
     m_constants.push_back({22, adaptive});
@@ -126,7 +126,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
       if (m_coloured) desc.targets = {{.format = m_colourFormat}};
       desc.samples = m_samples;
       if (everySample) shadeSamples(context, desc);
-      return context.pipelines.get(desc);
+      return m_maps->pipelines(context, desc);
     };
     if (opaque) m_opaque = caster("cssm2 opaque", "", false);
     if (perforated) m_perforated = caster("cssm2 perforated", "common/masked.frag", true);
@@ -147,7 +147,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
     desc.constants.push_back({16, context.knobs.is("numbers", "shared")});
     desc.constants.insert(desc.constants.end(), m_noise->constants().begin(),
                           m_noise->constants().end());
-    m_translucent = context.pipelines.get(desc);
+    m_translucent = m_maps->pipelines(context, desc);
   }
 
   void recordView(Frame& frame, size_t i) {
@@ -164,7 +164,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
           DrawList& plain = m_coloured ? m_maps->surfaces(i) : m_maps->plain(i);
           plain.draw(commands, m_opaque, view.opaque);
           m_maps->surfaces(i).draw(commands, m_perforated, view.perforated);
-          if (m_translucent) m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+          if (m_translucent) m_maps->surfaces(i).draw(commands, *m_translucent, view.translucent);
         });
   }
 
@@ -175,7 +175,8 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
   uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
   rhi::Format m_colourFormat = rhi::Format::Undefined;
   rhi::Texture m_colours;
-  rhi::PipelineId m_opaque, m_perforated, m_translucent;
+  CasterPipelines m_opaque, m_perforated;
+  std::optional<CasterPipelines> m_translucent;
   std::vector<rhi::SpecConstant> m_constants;
 };
 

@@ -16,7 +16,7 @@ class ShadowMap final : public ShadowTechnique {
     auto pipeline = [&](const char* label, const char* fragment, bool masked) {
       rhi::GraphicsPipelineDesc desc = m_maps->casterPipeline(context, label, fragment, masked);
       desc.raster.cull = front ? rhi::CullMode::Front : rhi::CullMode::None;
-      return context.pipelines.get(desc);
+      return m_maps->pipelines(context, desc);
     };
     bool opaque = false, perforated = false;
     for (const LightView& view : m_maps->views()) {
@@ -26,7 +26,7 @@ class ShadowMap final : public ShadowTechnique {
     if (opaque) m_opaque = pipeline("shadow map opaque", "", false);
     if (perforated) m_perforated = pipeline("shadow map perforated", "common/masked.frag", true);
     m_compare.emplace(context, *m_maps);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
   }
 
   void record(Frame& frame) override {
@@ -53,7 +53,7 @@ class ShadowMap final : public ShadowTechnique {
 
  private:
   std::optional<ShadowMaps> m_maps;
-  rhi::PipelineId m_opaque, m_perforated;
+  CasterPipelines m_opaque, m_perforated;
   std::optional<DepthCompare> m_compare;
   bool m_translucentCast = false;
   std::vector<rhi::SpecConstant> m_constants;
@@ -61,7 +61,7 @@ class ShadowMap final : public ShadowTechnique {
 
 std::vector<KnobInfo> knobs() {
   std::vector<KnobInfo> list = shadowMapKnobs("1");
-  list.push_back(compareKnob("hardware"));
+  list.push_back(compareKnob());
   list.push_back({.name = "cull",
                   .help = "faces left out of the map: none, or front faces of closed casters",
                   .fallback = "none",

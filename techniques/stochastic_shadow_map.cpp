@@ -25,7 +25,7 @@ class StochasticShadowMap final : public ShadowTechnique {
     m_maps.emplace(context, 0.0f, DepthShape{.samples = m_samples});
     m_compare.emplace(context, *m_maps, m_samples);
     createPipelines(context);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
     m_trials = m_noise && m_noise->independent() ? m_compare->equalTexels() : 0;
   }
 
@@ -38,7 +38,7 @@ class StochasticShadowMap final : public ShadowTechnique {
                  [&](rhi::CommandList& commands) {
                    m_opaque->draw(commands, i);
                    if (m_translucent)
-                     m_maps->surfaces(i).draw(commands, m_translucent, view.translucent);
+                     m_maps->surfaces(i).draw(commands, *m_translucent, view.translucent);
                  });
     }
   }
@@ -77,7 +77,7 @@ class StochasticShadowMap final : public ShadowTechnique {
     if (m_samples > 1) desc.constants.push_back({18, m_samples});
     desc.constants.insert(desc.constants.end(), m_noise->constants().begin(),
                           m_noise->constants().end());
-    m_translucent = context.pipelines.get(desc);
+    m_translucent = m_maps->pipelines(context, desc);
   }
 
   std::optional<ShadowMaps> m_maps;
@@ -86,7 +86,7 @@ class StochasticShadowMap final : public ShadowTechnique {
   uint32_t m_samples = 1;
   uint32_t m_trials = 0;  ///< texels that a lookup averages with equal weights
   std::optional<OpaqueCasters> m_opaque;
-  rhi::PipelineId m_translucent;
+  std::optional<CasterPipelines> m_translucent;
   std::vector<rhi::SpecConstant> m_constants;
 };
 
@@ -99,8 +99,7 @@ std::vector<KnobInfo> knobs() {
                   .choices = {"luminance", "alpha"}});
   list.push_back(noiseKnob());
   list.push_back(mapSamplesKnob());
-  // One exact texel a tap, as in CSSM2: equal weights, whose bias can be certified.
-  list.push_back(compareKnob("manual"));
+  list.push_back(compareKnob());
   return list;
 }
 

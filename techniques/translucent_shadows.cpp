@@ -26,7 +26,7 @@ class TranslucentShadows final : public ShadowTechnique {
   void prepare(const Context& context) override {
     m_maps.emplace(context, 0.0f);
     m_translucent = context.plan.runs(Effect::TranslucentCasters);
-    m_constants = ShadowMaps::constants(context.knobs);
+    m_constants = m_maps->constants(context.knobs);
     m_constants.push_back({19, m_translucent});
     m_opaque.emplace(context, *m_maps);
     if (m_translucent) createTranslucent(context);
@@ -72,8 +72,9 @@ class TranslucentShadows final : public ShadowTechnique {
     m_colourFormat = colourMapFormat(context.knobs);
     m_depth = m_maps->createLike(context, "translucent depth", m_maps->depthFormat());
     m_colour = m_maps->createLike(context, "shadow colour", m_colourFormat);
-    m_depthPipeline = context.pipelines.get(m_maps->casterPipeline(
-        context, "translucent depth", "translucent_shadows/depth.frag", false));
+    m_depthPipeline =
+        m_maps->pipelines(context, m_maps->casterPipeline(context, "translucent depth",
+                                                          "translucent_shadows/depth.frag", false));
     rhi::GraphicsPipelineDesc desc =
         colourPipeline(context, *m_maps, "translucent_shadows/colour.frag", m_colourFormat);
     if (variant == 1 || variant == 2) {
@@ -113,7 +114,8 @@ class TranslucentShadows final : public ShadowTechnique {
   rhi::Format m_colourFormat = rhi::Format::Undefined;
   rhi::Texture m_depth, m_colour;
   std::optional<OpaqueCasters> m_opaque;
-  rhi::PipelineId m_depthPipeline, m_colourPipeline;
+  CasterPipelines m_depthPipeline;
+  rhi::PipelineId m_colourPipeline;
   std::vector<LightOrder> m_order;  ///< of each view, where order matters
   std::vector<rhi::SpecConstant> m_constants;
 };

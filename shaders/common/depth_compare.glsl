@@ -36,7 +36,7 @@ float filterHardware(LightSample s) {
     for (int x = -h; x <= h; ++x) {
       vec2 offset = vec2(x, y) * s.texel;
       precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) + bias;
-      depth = max(depth, 0.0);
+      depth = max(depth, s.least);
       float w = kernelWeight(x, y);
       total += w;
       lit += w * compareTap(s.uvz.xy + offset, s.layer, depth);

@@ -1,3 +1,5 @@
+#ifndef LIGHT_PASS_GLSL
+#define LIGHT_PASS_GLSL
 // The view that a light pass renders: parameters of the pass.
 layout(binding = SLOT_UNIFORM(UNIFORM_PASS), std140) uniform PassBlock { uvec4 passIds; };
 
@@ -8,3 +10,4 @@ vec4 toLightClip(vec3 relative) {
   precise vec3 p = relative - view.origin.xyz;
   return toClip(view.toClip, p);
 }
+#endif

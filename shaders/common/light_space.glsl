@@ -6,6 +6,8 @@
 layout(constant_id = 16) const uint kBias = 0u;     // BIAS_*
 layout(constant_id = 17) const uint kKernel = 1u;   // odd width of the filter, texels
 layout(constant_id = 18) const bool kTent = false;  // tent instead of box weights
+// Some casters are concave: their maps hold receding depths (common/receding_depth.glsl).
+layout(constant_id = 23) const bool kConcave = false;
 
 #define BIAS_PLANE 0u
 #define BIAS_SLOPE 1u
@@ -28,6 +30,7 @@ struct LightSample {
   float texel;    // 1 / map size
   float layer;
   uint view;      // index into shadowViews
+  float least;    // depth that is lit at any texel
 };
 
 // Face of a point light that looks at `d`: +x -x +y -y +z -z (techniques/common/light_data.cpp).
@@ -82,12 +85,16 @@ LightSample lightSample(uint light, Receiver r) {
   s.bias = 2.0 * view.texel.y + rounding + slope * (1.0 / 64.0);
   s.gradient = vec2(0);
   float unit = tangent > 0.0 ? slope / tangent : 0.0;  // slope of a plane at 45 degrees
+  // A surface that rises before its plane is stored receding, by as much as it may rise within the
+  // filter, so that it does not come before the receiver itself; before the falling plane it might.
+  bool rises = kConcave && (r.concave & (dot(r.normal, toLight) > 0.0 ? 1u : 2u)) != 0u;
   if (kBias == BIAS_PLANE) {
     s.gradient = gradient;
-    s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;
+    if (!rises) s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;
   }
   if (kBias == BIAS_SLOPE) s.bias += slope * radius;
   if (kBias == BIAS_CONSTANT) s.bias += unit * radius * BIAS_CONSTANT_TEXELS;
+  s.least = rises ? s.uvz.z + s.bias : 0.0;
   return s;
 }
 
@@ -102,7 +109,7 @@ float kernelWeight(int x, int y) {
 float tapDepth(LightSample s, ivec2 texel) {
   precise vec2 offset = (vec2(texel) + 0.5) * s.texel - s.uvz.xy;
   precise float depth = s.uvz.z + (s.gradient.x * offset.x + s.gradient.y * offset.y) + s.bias;
-  return max(depth, 0.0);
+  return max(depth, s.least);
 }
 
 // N x N point comparisons against a depth map; outside the map is lit.

@@ -1,11 +1,2 @@
 #version 450
-// Depth of a perforated caster: discards where the alpha mask says so.
-#include "common/options.glsl"
-#include "common/scene.glsl"
-#include "common/material.glsl"
-layout(location = 3) in vec4 v_uv;
-layout(location = 4) in vec4 v_color;
-
-void main() {
-  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha < 0.5) discard;
-}
+#include "common/masked.glsl"

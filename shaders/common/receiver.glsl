@@ -12,4 +12,5 @@ struct Receiver {
   uint key;       // persistent surface key: mesh, instance and triangle
   uvec2 pixel;
   uint kind;
+  uint concave;   // sides from which its surface rises before it: 1 the normal's, 2 the other
 };

@@ -19,3 +19,9 @@ layout(binding = SLOT_STORAGE(STORAGE_SHADOW_VIEWS), std430) readonly buffer Sha
 layout(binding = SLOT_STORAGE(STORAGE_TRIANGLES), std430) readonly buffer TriangleBlock {
   TriangleData triangles[];
 };
+
+// Concave sides of a triangle, 1 that of its normal, 2 the other: what the normal's length says.
+uint concaveSides(TriangleData t) {
+  float squared = dot(t.normalKey.xyz, t.normalKey.xyz);
+  return squared > 32.0 ? 3u : squared > 8.0 ? 2u : squared > 2.0 ? 1u : 0u;
+}

@@ -39,7 +39,8 @@ struct InstanceData {
   uvec4 ids;  // x: material, y: instance key, z: first triangle, w: mesh key
 };
 
-// A triangle of a mesh: unnormalised geometric normal in mesh space, persistent key as bits.
+// A triangle of a mesh: geometric normal in mesh space, persistent key as bits. The normal is 2^b
+// long, b the concave sides: 1 the side that it points to, 2 the other (0: degenerate).
 struct TriangleData {
   vec4 normalKey;
 };

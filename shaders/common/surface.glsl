@@ -38,6 +38,9 @@ Receiver surfaceReceiver(InstanceData i, vec3 position) {
   r.key = surfaceKey(i.ids.w, i.ids.y, floatBitsToUint(t.normalKey.w));
   r.pixel = uvec2(gl_FragCoord.xy);
   r.kind = RECEIVER_SURFACE;
+  r.concave = concaveSides(t);
+  // As the normal was turned.
+  if (dot(n, position) > 0.0) r.concave = (r.concave >> 1) | ((r.concave & 1u) << 1);
   return r;
 }
 

@@ -1,3 +1,5 @@
+#ifndef TRANSFORM_GLSL
+#define TRANSFORM_GLSL
 // Positions, in arithmetic that every API must keep (decision D1): sums written out and `precise`.
 vec3 toRelative(InstanceData i, vec3 p) {
   precise vec3 r;
@@ -20,3 +22,4 @@ vec3 normalToWorld(InstanceData i, vec3 n) {
 vec3 tangentToWorld(InstanceData i, vec3 t) {
   return vec3(dot(i.toRelative0.xyz, t), dot(i.toRelative1.xyz, t), dot(i.toRelative2.xyz, t));
 }
+#endif

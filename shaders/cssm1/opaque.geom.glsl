@@ -6,6 +6,7 @@ layout(triangle_strip, max_vertices = 3) out;
 void main() {
   for (int i = 0; i < 3; ++i) {
     gl_Position = gl_in[i].gl_Position;
+    gl_PrimitiveID = gl_PrimitiveIDIn;  // concave sides hang on it
     gl_Layer = gl_InvocationID;
     EmitVertex();
   }

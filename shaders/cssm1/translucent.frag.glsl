@@ -1,13 +1,2 @@
 #version 450
-// One channel of a translucent caster blocks with probability p = alpha (1 - t): kept or not, then
-// the ordinary depth test. The numbers are those of CSSM2.
-#include "common/options.glsl"
-#include "common/scene.glsl"
-#include "common/material.glsl"
-#include "common/light_blocking.glsl"
-layout(location = 5) flat in uint v_channel;
-
-void main() {
-  bvec3 blocked = blockedChannels(0u);
-  if (!(v_channel == 0u ? blocked.x : v_channel == 1u ? blocked.y : blocked.z)) discard;
-}
+#include "cssm1/translucent.glsl"

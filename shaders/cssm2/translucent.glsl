@@ -5,10 +5,12 @@
 #include "common/scene.glsl"
 #include "common/material.glsl"
 #include "common/light_blocking.glsl"
+#include "common/receding_depth.glsl"
 layout(location = 0) out vec4 o_depths;
 
 void writeDepths(uint sampleIndex) {
+  float depth = recedingDepth();
   bvec3 blocked = blockedChannels(sampleIndex);
   if (!any(blocked)) discard;
-  o_depths = vec4(mix(vec3(0), gl_FragCoord.zzz, vec3(blocked)), 1);
+  o_depths = vec4(mix(vec3(0), vec3(depth), vec3(blocked)), 1);
 }

@@ -4,6 +4,7 @@
 #include "common/material.glsl"
 #include "common/transform.glsl"
 #include "common/light_pass.glsl"
+#include "common/receding_depth.glsl"
 layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_opaqueMap;

@@ -5,7 +5,8 @@ layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2DArray t_p
 layout(location = 0) out vec4 o_colour;
 
 void main() {
+  float depth = recedingDepth();
   vec3 passes = peelFragment();
-  if (gl_FragCoord.z >= texelFetch(t_previousDepth, ivec3(gl_FragCoord.xy, 0), 0).r) discard;
+  if (depth >= texelFetch(t_previousDepth, ivec3(gl_FragCoord.xy, 0), 0).r) discard;
   o_colour = vec4(passes, 1);
 }

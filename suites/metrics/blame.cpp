@@ -64,9 +64,12 @@ void BlameSum::add(const BlameInput& in) {
     std::optional<ValueRange> around;
     if (in.truthAround && largest > kVisible)
       around = in.truthAround(uint32_t(p % m_width), uint32_t(p / m_width));
+    // Before a translucent receiver that all light reaches lies no other layer.
+    const bool inner = in.surfaces[p] == 2 &&
+                       std::min({in.truth[4 * p], in.truth[4 * p + 1], in.truth[4 * p + 2]}) < 1;
     for (size_t c = 0; c < 3; ++c) {
       const Cause cause = around && explains(*around, c, values[4 * p + c]) ? Cause::Resolution
-                          : in.surfaces[p] == 2                             ? Cause::InnerLayer
+                          : inner                                           ? Cause::InnerLayer
                           : error[c] < 0                                    ? Cause::SelfShadowing
                                                                             : Cause::Leaking;
       const float ofMean = stochastic ? in.variance[4 * p + c] / float(in.seeds) : 0.0f;

@@ -4,7 +4,7 @@
 //   noise           what the mean over seeds does not have
 //   resolution      the truth jumps within the lookup's reach or in the pixels beside, and the value
 //                   lies between what it is there: texels and filter cannot do better
-//   inner-layer     elsewhere, on a translucent receiver
+//   inner-layer     elsewhere, on a translucent receiver that not all light reaches
 //   self-shadowing  elsewhere, darker than the truth
 //   leaking         elsewhere, lighter than the truth
 #pragma once

@@ -8,7 +8,7 @@ const std::vector<StabilityCase>& stabilityCases() {
   static const std::vector<StabilityCase> cases = [] {
     std::vector<StabilityCase> all;
     for (const auto& part :
-         {genericCases(), opaqueCases(), translucentCases(),
+         {genericCases(), opaqueCases(), concaveCases(), translucentCases(),
           boundaryCases(), transparencyCases(), tortureCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;

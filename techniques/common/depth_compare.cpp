@@ -4,12 +4,12 @@
 
 namespace sb {
 
-KnobInfo compareKnob(const std::string& fallback) {
+KnobInfo compareKnob() {
   return {.name = "compare",
           .help =
               "2x2 hardware comparison at every tap (in the shader where the device "
               "filters no depth), or one exact texel a tap",
-          .fallback = fallback,
+          .fallback = "manual",
           .choices = {"hardware", "manual"}};
 }
 

@@ -7,7 +7,10 @@
 
 namespace sb {
 
-KnobInfo compareKnob(const std::string& fallback);
+/// Default: one exact texel a tap, which is what techniques that read colours beside depths, or
+/// depths in colours, do too. So defaults compare techniques, not filters, and a certificate finds
+/// equal weights.
+KnobInfo compareKnob();
 
 class DepthCompare {
  public:

@@ -22,6 +22,11 @@ std::vector<rhi::Binding>& DrawList::bindingsOf(uint32_t material) {
 
 void DrawList::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
                     std::span<const uint32_t> instances, uint32_t copies) {
+  draw(commands, CasterPipelines{pipeline, pipeline}, instances, copies);
+}
+
+void DrawList::draw(rhi::CommandList& commands, const CasterPipelines& pipelines,
+                    std::span<const uint32_t> instances, uint32_t copies) {
   const GpuScene& gpu = m_view->gpu();
   const rhi::VertexBufferBinding vertexBuffers[] = {{gpu.positions(), 0}, {gpu.attributes(), 0}};
   for (uint32_t i : instances) {
@@ -29,14 +34,16 @@ void DrawList::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
     const GpuScene::MeshRange& mesh = gpu.mesh(meshIndex);
     auto& bindings = bindingsOf(m_view->scene().meshes[meshIndex].material);
     bindings.front().offset = m_view->drawOffset(i);
-    commands.drawIndexed({.pipeline = pipeline,
-                          .bindings = bindings,
-                          .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
-                          .indexBuffer = gpu.indices()},
-                         {.indexCount = mesh.indexCount,
-                          .instanceCount = copies,
-                          .firstIndex = mesh.firstIndex,
-                          .vertexOffset = mesh.vertexOffset});
+    commands.drawIndexed(
+        {.pipeline = gpu.rises(i) && pipelines.receding != rhi::PipelineId{} ? pipelines.receding
+                                                                             : pipelines.exact,
+         .bindings = bindings,
+         .vertexBuffers = std::span(vertexBuffers, m_withAttributes ? 2 : 1),
+         .indexBuffer = gpu.indices()},
+        {.indexCount = mesh.indexCount,
+         .instanceCount = copies,
+         .firstIndex = mesh.firstIndex,
+         .vertexOffset = mesh.vertexOffset});
   }
 }
 

@@ -9,6 +9,12 @@
 
 namespace sb {
 
+/// Pipelines of one pass over a depth map: of casters as they are, and of those that rise before
+/// themselves (ShadowMaps::pipelines).
+struct CasterPipelines {
+  rhi::PipelineId exact, receding;
+};
+
 class DrawList {
  public:
   DrawList() = default;
@@ -21,6 +27,9 @@ class DrawList {
 
   /// `copies`: how often each instance is drawn, told apart by gl_InstanceIndex.
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
+            std::span<const uint32_t> instances, uint32_t copies = 1);
+  /// The same, each instance by its mesh's pipeline.
+  void draw(rhi::CommandList& commands, const CasterPipelines& pipelines,
             std::span<const uint32_t> instances, uint32_t copies = 1);
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, uint32_t instance) {
     draw(commands, pipeline, std::span(&instance, 1));

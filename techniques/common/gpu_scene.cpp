@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/common/concave_sides.h"
 #include "techniques/common/material_data.h"
 
 namespace sb {
@@ -35,9 +36,12 @@ T at(const std::vector<T>& values, size_t i, T fallback) {
 
 rhi::AddressMode addressMode(Wrap wrap) {
   switch (wrap) {
-    case Wrap::MirroredRepeat: return rhi::AddressMode::MirroredRepeat;
-    case Wrap::ClampToEdge: return rhi::AddressMode::ClampToEdge;
-    default: return rhi::AddressMode::Repeat;
+    case Wrap::MirroredRepeat:
+      return rhi::AddressMode::MirroredRepeat;
+    case Wrap::ClampToEdge:
+      return rhi::AddressMode::ClampToEdge;
+    default:
+      return rhi::AddressMode::Repeat;
   }
 }
 
@@ -55,11 +59,13 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
   std::vector<Attributes> attributes;
   std::vector<uint32_t> indices;
   std::vector<gpu::TriangleData> triangles;
+  std::vector<ConcaveSides> sides;
   for (const Mesh& mesh : m_scene.meshes) {
     m_meshes.push_back({.firstIndex = uint32_t(indices.size()),
                         .indexCount = uint32_t(mesh.indices.size()),
                         .vertexOffset = int32_t(positions.size()),
                         .firstTriangle = uint32_t(triangles.size())});
+    const ConcaveSides& concave = sides.emplace_back(concaveSides(mesh));
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     const size_t first = indices.size();
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -74,15 +80,18 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
       const glm::dvec3 c = mesh.positions[mesh.indices[3 * t + 2]];
       const glm::dvec3 n = glm::cross(b - a, c - a);
       const double length = glm::length(n);
-      const glm::vec3 normal = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
+      // The length says which sides are concave (shaders/common/shared_types.h).
+      const float scale = float(1u << concave.ofTriangle[t]);
+      const glm::vec3 normal = length > 0 ? scale * glm::vec3(n / length) : glm::vec3(0);
       // Three points on a line may cover a texel once they are rounded, at any depth (spec 17, G5):
       // three times one point covers none.
       if (!(length > 0))
-        for (uint32_t c = 1; c < 3; ++c)
-          indices[first + 3 * t + c] = indices[first + 3 * t];
+        for (uint32_t c = 1; c < 3; ++c) indices[first + 3 * t + c] = indices[first + 3 * t];
       triangles.push_back({glm::vec4(normal, glm::uintBitsToFloat(mesh.triangleKeys[t]))});
     }
   }
+  for (const Instance& instance : m_scene.instances)
+    m_rises.push_back(risesInLight(m_scene, instance, sides[instance.mesh]));
   using U = rhi::BufferUse;
   m_positions = makeBuffer(device, "scene positions", positions, U::Vertex);
   m_attributes = makeBuffer(device, "scene attributes", attributes, U::Vertex);
@@ -96,30 +105,30 @@ void GpuScene::uploadMaterials(rhi::Device& device) {
   m_materials = makeBuffer(device, "scene materials", data, rhi::BufferUse::Storage);
 
   auto addTexture = [&](const std::string& label, const Image& image, bool srgb) {
-    rhi::Texture texture = device.createTexture(
-        {.label = label,
-         .format = srgb ? rhi::Format::RGBA8Srgb : rhi::Format::RGBA8Unorm,
-         .width = image.width,
-         .height = image.height,
-         .use = rhi::TextureUse::Sampled | rhi::TextureUse::CopyTarget});
+    rhi::Texture texture =
+        device.createTexture({.label = label,
+                              .format = srgb ? rhi::Format::RGBA8Srgb : rhi::Format::RGBA8Unorm,
+                              .width = image.width,
+                              .height = image.height,
+                              .use = rhi::TextureUse::Sampled | rhi::TextureUse::CopyTarget});
     device.upload(texture, {}, std::as_bytes(std::span(image.rgba)));
     m_textures.push_back(std::move(texture));
     return m_textures.back().id();
   };
   // Slots without a texture are bound to one white texel: every shader variant finds its bindings.
-  const rhi::TextureId white = addTexture(
-      "scene white", {.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}},
-      false);
+  const rhi::TextureId white =
+      addTexture("scene white",
+                 {.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}}, false);
   std::map<std::pair<uint32_t, bool>, rhi::TextureId> textures;
   std::map<std::tuple<Wrap, Wrap, bool>, rhi::SamplerId> samplers;
   auto sampler = [&](const TextureSlot& slot) {
     auto [it, isNew] = samplers.try_emplace({slot.wrapU, slot.wrapV, slot.nearest});
     if (isNew) {
-      m_samplers.push_back(device.createSampler(
-          {.label = "scene sampler",
-           .filter = slot.nearest ? rhi::Filter::Nearest : rhi::Filter::Linear,
-           .addressU = addressMode(slot.wrapU),
-           .addressV = addressMode(slot.wrapV)}));
+      m_samplers.push_back(
+          device.createSampler({.label = "scene sampler",
+                                .filter = slot.nearest ? rhi::Filter::Nearest : rhi::Filter::Linear,
+                                .addressU = addressMode(slot.wrapU),
+                                .addressV = addressMode(slot.wrapV)}));
       it->second = m_samplers.back().id();
     }
     return it->second;

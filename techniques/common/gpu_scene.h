@@ -25,6 +25,8 @@ class GpuScene {
     uint32_t firstTriangle = 0;  ///< into the triangle records
   };
   const MeshRange& mesh(uint32_t index) const { return m_meshes[index]; }
+  /// A light may see an instance rise before itself (concave_sides.h).
+  bool rises(uint32_t instance) const { return m_rises[instance]; }
 
   /// Surfaces that lie over others in one plane.
   const CoplanarSurfaces& coplanar() const { return m_coplanar; }
@@ -51,6 +53,7 @@ class GpuScene {
   CoplanarSurfaces m_coplanar;
   bool m_textured = false;
   std::vector<MeshRange> m_meshes;
+  std::vector<bool> m_rises;
   rhi::Buffer m_positions, m_attributes, m_indices, m_triangles, m_materials;
   std::vector<rhi::Texture> m_textures;
   std::vector<rhi::Sampler> m_samplers;

@@ -42,15 +42,15 @@ LightPeel::LightPeel(const Context& context, ShadowMaps& maps,
   desc.depthFormat = rhi::Format::D32Float;
   desc.targets = {{.format = m_format}};
   desc.constants.push_back({16, 1});
-  m_first = context.pipelines.get(desc);
+  m_first = maps.pipelines(context, desc);
   desc.constants.back().bits = 0;
-  m_next = context.pipelines.get(desc);
+  m_next = maps.pipelines(context, desc);
   if (tails) {
     desc = colourPipeline(context, maps, "light_peel/tail.frag", m_format);
     desc.depth = {};
     desc.raster.depthBiasConstant = desc.raster.depthBiasSlope = 0;
     desc.depthFormat = rhi::Format::Undefined;
-    m_tail = context.pipelines.get(desc);
+    m_tail = maps.pipelines(context, desc);
   }
   for (Step& step : m_steps)
     for (const PeelGroup& group : step.groups)

@@ -58,7 +58,7 @@ class LightPeel {
   uint32_t m_step = 0;
   rhi::Format m_format;
   rhi::Texture m_depth, m_colour;
-  rhi::PipelineId m_first, m_next, m_tail;
+  CasterPipelines m_first, m_next, m_tail;
 };
 
 }  // namespace sb

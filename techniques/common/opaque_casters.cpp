@@ -14,7 +14,7 @@ OpaqueCasters::OpaqueCasters(const Context& context, ShadowMaps& maps,
   const auto pipeline = [&](const char* label, const char* fragment, bool masked) {
     rhi::GraphicsPipelineDesc desc = maps.casterPipeline(context, label, fragment, masked);
     if (change) change(desc);
-    return context.pipelines.get(desc);
+    return maps.pipelines(context, desc);
   };
   if (any(&LightView::opaque)) m_opaque = pipeline("shadow map opaque", "", false);
   if (any(&LightView::perforated))

@@ -20,7 +20,7 @@ class OpaqueCasters {
 
  private:
   ShadowMaps* m_maps;
-  rhi::PipelineId m_opaque, m_perforated;
+  CasterPipelines m_opaque, m_perforated;
 };
 
 }  // namespace sb

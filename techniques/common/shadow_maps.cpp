@@ -1,6 +1,7 @@
 #include "techniques/common/shadow_maps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "shaders/common/shared_slots.h"
@@ -69,6 +70,34 @@ KnobInfo mapSamplesKnob() {
           .sweep = {"1", "4"}};
 }
 
+namespace {
+
+/// From a receiver to the farthest texel (or sample of one) of its filter, along an axis: half the
+/// kernel from the receiver's texel's centre to a centre, half a texel more to the four of a
+/// hardware tap and to samples. 0: no caster rises before itself, or another bias is asked for.
+float recedingReach(const Context& context, uint32_t kernel, uint32_t samples) {
+  if (!context.knobs.is("bias", "plane")) return 0;
+  const auto rises = [&](uint32_t i) { return context.view.gpu().rises(i); };
+  if (std::ranges::none_of(context.view.lightViews(), [&](const LightView& v) {
+        return std::ranges::any_of(v.opaque, rises) || std::ranges::any_of(v.perforated, rises) ||
+               std::ranges::any_of(v.translucent, rises);
+      }))
+    return 0;
+  const auto compare = context.knobs.all().find("compare");
+  const bool wide =
+      samples > 1 || (compare != context.knobs.all().end() && compare->second == "hardware");
+  return 0.5f * float(wide ? kernel + 1 : kernel);
+}
+
+/// "common/masked.frag" to "common/masked_receding.frag".
+std::string recedingName(const rhi::ShaderCode* fragment) {
+  if (!fragment) return "common/receding.frag";
+  std::string name = fragment->name;
+  return name.insert(name.rfind('.'), "_receding");
+}
+
+}  // namespace
+
 ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
     : m_view(context.view), m_shape(shape) {
   const Knobs& knobs = context.knobs;
@@ -87,6 +116,7 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
                               .depthStep = std::max(step, depthStep(m_depthFormat)),
                               .depthClamp = context.device.supports(rhi::Feature::DepthClamp),
                               .reachTranslucent = shape.reachTranslucent});
+  m_recedes = recedingReach(context, m_kernel, shape.samples);
   m_layers = uint32_t(std::ranges::count_if(views(), [](auto& v) { return v.layer() >= 0; }));
 
   if (std::ranges::count(context.device.formatCaps(m_depthFormat).sampleCounts, shape.samples) == 0)
@@ -182,11 +212,12 @@ LookupReach ShadowMaps::reach(uint32_t sceneLight) const {
   return {};
 }
 
-std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) {
+std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) const {
   static const std::vector<std::string> kBiases = {"plane", "slope", "normal", "constant"};
   return {{16, uint32_t(std::ranges::find(kBiases, knobs.text("bias")) - kBiases.begin())},
           {17, knobs.integer("kernel")},
-          {18, knobs.is("shape", "tent")}};
+          {18, knobs.is("shape", "tent")},
+          {23, recedes()}};
 }
 
 rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
@@ -207,6 +238,18 @@ rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
   desc.constants = declaredConstants({desc.vertex, desc.fragment},
                                      {{0, context.view.gpu().textured()}, {2, masked}});
   return desc;
+}
+
+CasterPipelines ShadowMaps::pipelines(const Context& context,
+                                      const rhi::GraphicsPipelineDesc& desc) const {
+  CasterPipelines pair{.exact = context.pipelines.get(desc), .receding = {}};
+  if (!recedes()) return pair;
+  rhi::GraphicsPipelineDesc receding = desc;
+  if (const rhi::ShaderCode* own = context.shaders.find(recedingName(desc.fragment)))
+    receding.fragment = own;
+  receding.constants.push_back({4, std::bit_cast<uint32_t>(m_recedes)});
+  pair.receding = context.pipelines.get(receding);
+  return pair;
 }
 
 }  // namespace sb

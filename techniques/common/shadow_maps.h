@@ -47,11 +47,18 @@ class ShadowMaps {
   /// lies.
   LookupReach reach(uint32_t sceneLight) const;
 
-  /// Constants 16..18 of light_space.glsl from the knobs.
-  static std::vector<rhi::SpecConstant> constants(const Knobs& knobs);
+  /// Constants 16..18 and 23 of light_space.glsl.
+  std::vector<rhi::SpecConstant> constants(const Knobs& knobs) const;
   /// Depth-only pipeline of casters; add what differs. `surface`: with uvs and textures.
   rhi::GraphicsPipelineDesc casterPipeline(const Context& context, const std::string& label,
                                            const std::string& fragment, bool masked) const;
+  /// The pipeline of `desc` (casterPipeline and what differs), and where bias is by the receiver's
+  /// plane and some caster rises before itself, another for these casters: its fragment shader is
+  /// NAME_receding where depth is written, NAME itself where it is only tested, and gets the reach
+  /// of lookups. Scenes of flat and convex casters have the first alone.
+  CasterPipelines pipelines(const Context& context, const rhi::GraphicsPipelineDesc& desc) const;
+  /// Some casters rise before themselves, and the maps hold receding depths of them.
+  bool recedes() const { return m_recedes > 0; }
   /// Bindings of a light pass: the pass block of one view.
   rhi::Binding passBlock(size_t view) const;
   /// Attachment of one view's layers.
@@ -68,6 +75,7 @@ class ShadowMaps {
   const SceneView& m_view;
   uint32_t m_size = 0;
   uint32_t m_kernel = 1;
+  float m_recedes = 0;  ///< reach of lookups in texels where concave casters recede; 0: none do
   uint32_t m_layers = 0;
   DepthShape m_shape;
   rhi::Format m_depthFormat = rhi::Format::D32Float;

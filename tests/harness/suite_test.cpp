@@ -37,7 +37,7 @@ TEST(Suite, SweepsTurnOneKnobAtATimeAndGridsAllTogether) {
     techniques = ["ShadowMap"]
     backends = ["vulkan"]
     size = "64x32"
-    set.compare = "manual"
+    set.compare = "hardware"
     sweep.kernel = [3, 5]
     sweep.size = [512]
     [[run]]
@@ -50,10 +50,10 @@ TEST(Suite, SweepsTurnOneKnobAtATimeAndGridsAllTogether) {
   )";
   EXPECT_EQ(namesOf(text),
             (std::vector<std::string>{
-                "ShadowMap/vulkan/layers/compare:manual/64x32",
-                "ShadowMap/vulkan/layers/kernel:3/compare:manual/64x32",
-                "ShadowMap/vulkan/layers/kernel:5/compare:manual/64x32",
-                "ShadowMap/vulkan/layers/size:512/compare:manual/64x32",
+                "ShadowMap/vulkan/layers/compare:hardware/64x32",
+                "ShadowMap/vulkan/layers/kernel:3/compare:hardware/64x32",
+                "ShadowMap/vulkan/layers/kernel:5/compare:hardware/64x32",
+                "ShadowMap/vulkan/layers/size:512/compare:hardware/64x32",
                 "none/vulkan/layers/64x32", "ShadowMap/vulkan/layers/size:512/64x32",
                 "ShadowMap/vulkan/layers/size:256/64x32",
                 "ShadowMap/vulkan/layers/size:512/kernel:3/64x32",

@@ -39,7 +39,9 @@ TEST(Blame, EachErrorHasItsCause) {
   EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 0, .edge = true})["resolution"], 1);
   EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 0})["leaking"], 1);
   EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 1})["self-shadowing"], 1);
-  EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 1, .surface = 2})["inner-layer"], 1);
+  EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 0.75f, .surface = 2})["inner-layer"], 1);
+  // Before a pane in full light lies nothing: it shadows itself.
+  EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 1, .surface = 2})["self-shadowing"], 1);
   // Lighter than anything around: no filter makes that.
   EXPECT_EQ(blameOf({.measured = 1.5f, .truth = 0, .edge = true})["leaking"], 1);
   EXPECT_TRUE(blameOf({}).empty());

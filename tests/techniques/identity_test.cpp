@@ -66,6 +66,19 @@ GPU_TEST(Identity, OpaqueOnlyStochasticMapsAreShadowMap) {
   }
 }
 
+GPU_TEST(Identity, DefaultsDifferByTheKernelAlone) {
+  // Nothing but what a technique is may tell them apart: not comparison, bias or filter.
+  for (const char* kernel : {"1", "9"}) {
+    Cell a(cellDevice(device()), opaqueOnly(), {.knobs = {{"kernel", kernel}}, .size = {96, 64}});
+    for (const char* technique :
+         {"TranslucentShadows", "CompositedTranslucent", "StochasticShadowMap", "CSSM1", "CSSM2"}) {
+      Cell b(cellDevice(device()), opaqueOnly(),
+             {.technique = technique, .knobs = {{"kernel", kernel}}, .size = {96, 64}});
+      EXPECT_EQ(a.picture().rgba, b.picture().rgba) << technique << " " << kernel;
+    }
+  }
+}
+
 GPU_TEST(Identity, HardwareComparisonIsShadowMapsToo) {
   CellOptions reference = manual();
   reference.knobs["compare"] = "hardware";

@@ -3,6 +3,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/coloured_transparency_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/composited_translucent_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/concave_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm1_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_expectation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
@@ -27,6 +28,7 @@ target_sources(gpu_tests PRIVATE
 target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp

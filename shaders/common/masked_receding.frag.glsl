@@ -1,0 +1,3 @@
+#version 450
+#define RECEDES
+#include "common/masked.glsl"

@@ -1,0 +1,4 @@
+#version 450
+#define LIGHT_INPUT sample in
+#define RECEDES
+#include "cssm2/opaque.glsl"

@@ -1,0 +1,3 @@
+#version 450
+#define RECEDES
+#include "light_peel/layer.glsl"

@@ -1,0 +1,3 @@
+#version 450
+#define RECEDES
+#include "stochastic_shadow_map/samples.glsl"

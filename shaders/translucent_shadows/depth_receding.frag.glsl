@@ -1,0 +1,3 @@
+#version 450
+#define RECEDES
+#include "translucent_shadows/depth.glsl"
