@@ -78,16 +78,19 @@ GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
 }
 
 GPU_TEST(JudgeCells, WhatALightGrazesHardlyCountsByLight) {
-  // A cube whose front the light grazes: that face alone is wrong without shadows of its own.
-  Scene scene = floorScene();
-  scene.lights[0] = sun({0.02, -1, -0.001});
+  // A cube whose front the light grazes lies in the shadow of a lid, a slanted board in the light:
+  // without shadows the front alone is wrong.
+  Scene scene;
+  add(scene, matte());
+  addLight(scene, sun({0, -1, -0.001}));
   addBox(scene, 0, {-2, 0, -2}, {2, 2, 2});
-  addHorizontal(scene, 0, {0, 2.5f, 2.6f}, 2.2f, 0.55f);  // over the front's foot alone
-  scene.cameras[0] = lookAt({0, 1, 9}, {0, 1, 0}, 0.3, 40);
+  addHorizontal(scene, 0, {0, 2.5f, 2.5f}, 2.2f, 0.6f);
+  addQuad(scene, 0, {4.5f, 1, 1}, {2, 0, 0}, {0, 1, -1});
+  scene.cameras.push_back(lookAt({1, 1, 16}, {1, 1, 0}, 0.6, 60));
   const report::Record r = judged(cellDevice(device()), scene, small("none"));
   ASSERT_TRUE(r.visibility && r.visibility->weighted);
-  EXPECT_GT(r.visibility->all.rmse, 0.1);
-  EXPECT_LT(*r.visibility->weighted, r.visibility->all.rmse);
+  EXPECT_GT(r.visibility->all.rmse, 0.5);
+  EXPECT_LT(*r.visibility->weighted, 0.1);
 }
 
 GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
@@ -117,10 +120,11 @@ GPU_TEST(JudgeCells, TheStochasticMapIsUnbiasedAndItsNoiseFallsWithTheKernel) {
 // Lookups that are no sums of equal independent draws are judged by their means over seeds.
 GPU_TEST(JudgeCells, EveryKindOfLookupGetsAVerdict) {
   Scene scene = floorScene();
-  addHorizontal(scene, add(scene, glass(0.8f, {0.9f, 0.3f, 0.3f})), {0, 2, 0}, 5, 5);
+  addHorizontal(scene, add(scene, glass(0.8f, {0.9f, 1, 1})), {0, 2, 0}, 5, 5);
   const struct {
     const char *technique, *knob, *value;
     bool unbiased;
+    uint32_t seeds = 24;
   } kKinds[] = {
       {"CSSM2", "noise", "texture", true},
       {"CSSM2", "noise", "stratified", true},
@@ -130,13 +134,14 @@ GPU_TEST(JudgeCells, EveryKindOfLookupGetsAVerdict) {
       // Where nine texels agree by chance they are believed.
       {"CSSM2", "filter", "adaptive", false},
       // 8 bits, and a number equal to p blocks: one level of 256 too many (-0.0020 at q = 0.92).
-      {"CSSM2", "noise", "source", false},
+      {"CSSM2", "noise", "source", false, 64},
   };
   for (const auto& kind : kKinds) {
     SCOPED_TRACE(std::string(kind.technique) + "/" + kind.knob + ":" + kind.value);
     const report::Record r =
         judged(cellDevice(device()), scene,
-               small(kind.technique, {{"kernel", "9"}, {"size", "512"}, {kind.knob, kind.value}}), 32);
+               small(kind.technique, {{"kernel", "9"}, {"size", "256"}, {kind.knob, kind.value}}),
+               kind.seeds);
     ASSERT_TRUE(r.certificate);
     EXPECT_EQ(r.certificate->test, "mean");
     EXPECT_EQ(r.certificate->unbiased, kind.unbiased) << r.certificate->why;
