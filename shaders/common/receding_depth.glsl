@@ -6,7 +6,7 @@
 // so the stored depth lies at or behind every receiver within reach; what remains is a contact gap
 // of (N + 1) / 2 texels' slope (spec 01). Include scene.glsl and light_pass.glsl before; the
 // including shader declares what it writes.
-layout(constant_id = 4) const float kRecedes = 0.0;  // reach of lookups, texels; 0: exact depth
+layout(constant_id = 15) const float kRecedes = 0.0;  // reach of lookups, texels; 0: exact depth
 // As of receivers (common/light_space.glsl).
 #define RECEDING_TAN_MAX 10.0
 

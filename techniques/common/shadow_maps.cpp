@@ -247,7 +247,7 @@ CasterPipelines ShadowMaps::pipelines(const Context& context,
   rhi::GraphicsPipelineDesc receding = desc;
   if (const rhi::ShaderCode* own = context.shaders.find(recedingName(desc.fragment)))
     receding.fragment = own;
-  receding.constants.push_back({4, std::bit_cast<uint32_t>(m_recedes)});
+  receding.constants.push_back({15, std::bit_cast<uint32_t>(m_recedes)});
   pair.receding = context.pipelines.get(receding);
   return pair;
 }

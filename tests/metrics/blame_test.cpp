@@ -80,8 +80,8 @@ TEST(Blame, WhatTheMeanOfFewSeedsStillVariesIsNoBias) {
 
 TEST(Blame, SharesOfSeveralLayersSumToOne) {
   BlameSum sum(2, 1);
-  const std::vector<float> truth = {0, 0, 0, 1, 1, 1, 1, 1};
-  const std::vector<float> measured = {0.5f, 0.25f, 0, 1, 0.5f, 1, 1, 1};
+  const std::vector<float> truth = {0, 0, 0, 1, 1, 1, 0.75f, 1};
+  const std::vector<float> measured = {0.5f, 0.25f, 0, 1, 0.5f, 1, 0.75f, 1};
   const std::vector<uint8_t> surfaces = {1, 2};
   for (int layer = 0; layer < 2; ++layer)
     sum.add({.measured = measured, .truth = truth, .surfaces = surfaces});
