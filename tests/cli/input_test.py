@@ -23,8 +23,8 @@ class WrongInput(Case):
         self.refused(["--scene", "layer"], "layer", "layers")
         self.refused(["--scene", "spheres_quads:quad=3"], "quad", "quads")
         self.refused(["--set", "kernal=3"], "--set", "kernal", "kernel")
-        self.refused(["--filter=CSM2/vulkan/windo"], "--filter", "CSSM2/vulkan/window/512x512")
-        self.refused(["--benchmark_filter=CSM2/vulkan/windo"], "CSSM2/vulkan/window/512x512")
+        self.refused(["--filter=CSM2/vulkan/windo"], "--filter", "CSSM2/vulkan/window/256x256")
+        self.refused(["--benchmark_filter=CSM2/vulkan/windo"], "CSSM2/vulkan/window/256x256")
         self.refused(["scene", "layer"], "layers")
         self.refused(["render", "--technique", "CSM2"], "CSSM2")
 
