@@ -162,6 +162,9 @@ void appendCell(Json& list, const Record& r) {
     entry["real_time"] = r.blocks[i].frameMs * kMicroseconds;
     entry["cpu_time"] = r.blocks[i].cpuMs * kMicroseconds;
     entry["time_unit"] = "us";
+    // As they were measured: a change of unit may round.
+    entry["frame_mean_ms"] = r.blocks[i].frameMs;
+    entry["cpu_mean_ms"] = r.blocks[i].cpuMs;
     frames += r.blocks[i].frames;
     list.push_back(std::move(entry));
   }

@@ -166,8 +166,9 @@ double millisecondsOf(const Field& unit) {
 Block readBlock(const Field& e) {
   const double unit = millisecondsOf(e.at("time_unit"));
   return {.frames = e.at("iterations").integer<uint32_t>(),
-          .frameMs = e.at("real_time").number() * unit,
-          .cpuMs = e.at("cpu_time").number() * unit};
+          .frameMs =
+              numberOf(e, "frame_mean_ms").value_or(e.at("real_time").number() * unit),
+          .cpuMs = numberOf(e, "cpu_mean_ms").value_or(e.at("cpu_time").number() * unit)};
 }
 
 /// One record for each aggregate entry; the repetitions of its name before it are its blocks.

@@ -52,7 +52,9 @@ void addSize(CLI::App& app, Options& o) {
 void addExposure(CLI::App& app, Options& o) {
   addNumber(
       app, "--exposure", kExposure, [&o](double v) { o.exposure = float(v); },
-      "factor on linear values before the PNG [1]", "FACTOR");
+      "factor on linear values before they are shown, and compared as shown [1; scenes that are not "
+      "lit for display: by the picture's log average, in whole stops]",
+      "FACTOR");
 }
 
 void addMaxMemory(CLI::App& app, Options& o) {
@@ -195,6 +197,7 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       app, "--seeds", kSeedCount, [&o](double v) { o.seeds = uint32_t(v); },
       "seeds that noise and bias of stochastic techniques are taken over [64; of a suite: its own]",
       "N");
+  addExposure(app, o);
   app.add_option_function<std::string>(
          "--resume",
          [&o](const std::string& file) {

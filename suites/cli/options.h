@@ -38,7 +38,7 @@ struct Options {
   // render
   std::string outputPrefix = "render";
   bool visibility = false;
-  float exposure = 1;
+  std::optional<float> exposure;  ///< absent: automatic (suites/metrics/exposure.h)
   // cache
   bool clearCache = false;
   // scene

@@ -4,6 +4,7 @@
 #include "suites/cli/memory.h"
 #include "suites/cli/say.h"
 #include "suites/harness/verify.h"
+#include "suites/metrics/exposure.h"
 #include "suites/scenes/analysis.h"
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
@@ -80,7 +81,8 @@ int renderCommand(const Options& options) {
   const report::Picture picture{id.width, id.height, renderer.readImage()};
   if (const uint64_t bad = countNonFinite(picture))
     say("warning: " + std::to_string(bad) + " values of the picture are not finite");
-  writeBoth(options.outputPrefix, picture, options.exposure);
+  writeBoth(options.outputPrefix, picture,
+            options.exposure.value_or(automaticExposure(picture)));
   if (options.visibility)
     for (uint32_t light = 0; light < renderer.lightCount(); ++light) {
       const auto layers = renderer.readVisibility(light);

@@ -34,6 +34,7 @@ MeasureSettings settingsOf(const Options& options, const Suite& suite) {
   s.stop.repetitions = options.benchmark.repetitions;
   s.judge.enabled = options.truth;
   s.judge.seeds = options.seeds.value_or(suite.seeds.value_or(kDefaultSeeds));
+  s.judge.exposure = options.exposure;
   if (options.cache) s.judge.cache = truthCacheFolder();
   return s;
 }

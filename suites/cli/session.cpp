@@ -94,6 +94,9 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
                 {"repetitions", std::to_string(settings.stop.repetitions)},
                 {"seeds", std::to_string(settings.judge.seeds)},
                 {"truth", settings.judge.enabled ? "yes" : "no"},
+                {"exposure", settings.judge.exposure
+                                 ? base::numberText(double(*settings.judge.exposure))
+                                 : "automatic"},
                 {"validation", options.validate ? "yes" : "no"},
                 {"shaders", options.shaderFolder.empty() ? "built-in" : options.shaderFolder}};
   std::set<std::string> backends;

@@ -12,6 +12,7 @@
 #include "suites/cli/progress.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
+#include "suites/metrics/exposure.h"
 #include "suites/scenes/procedural.h"
 #include "suites/truth/tracer.h"
 #include "suites/truth/truth_cache.h"
@@ -30,7 +31,8 @@ void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
   const auto picture = [&](const std::vector<float>& rgba) {
     return report::Picture{truth.width, truth.height, rgba};
   };
-  write(options.outputPrefix, picture(truth.image), options.exposure);
+  const report::Picture image = picture(truth.image);
+  write(options.outputPrefix, image, options.exposure.value_or(automaticExposure(image)));
   for (size_t light = 0; light < scene.lights.size(); ++light)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
       write(options.outputPrefix + ".visibility.light" + std::to_string(light) +
