@@ -4,6 +4,11 @@ find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
+# A header costs more than the file that includes it: files of a target are compiled in groups.
+# Targets whose files are plug-ins or tables that use one name each for its own are not.
+option(SHADOWBENCH_UNITY "Compile files of a target in groups" ON)
+set(CMAKE_UNITY_BUILD ${SHADOWBENCH_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
 find_program(MOLD mold)
 if(MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_link_options(-fuse-ld=mold)

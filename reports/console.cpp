@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reports/console_names.h"
+#include "reports/console_table.h"
 
 namespace report {
 namespace {
@@ -75,19 +76,14 @@ Row rowOf(const Record& r, CellNames& names) {
   return row;
 }
 
-/// UTF-8: what is seen, not bytes.
-size_t seen(const std::string& text) {
-  return size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::string lines(const std::vector<Row>& rows) {
   std::array<size_t, kColumns> widths{};
   for (const Row& r : rows)
-    for (size_t i = 0; i + 1 < kColumns; ++i) widths[i] = std::max(widths[i], seen(r[i]));
+    for (size_t i = 0; i + 1 < kColumns; ++i) widths[i] = std::max(widths[i], seenWidth(r[i]));
   std::string out;
   for (const Row& row : rows) {
     for (size_t i = 0; i < kColumns; ++i) {
-      const std::string pad(widths[i] > seen(row[i]) ? widths[i] - seen(row[i]) : 0, ' ');
+      const std::string pad(widths[i] > seenWidth(row[i]) ? widths[i] - seenWidth(row[i]) : 0, ' ');
       out += (i ? "  " : "") + (i == 0 || i + 1 == kColumns ? row[i] + pad : pad + row[i]);
     }
     out += "\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/console_table.h"
 #include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/table.h"
@@ -11,29 +12,6 @@
 
 namespace report {
 namespace {
-
-/// Characters of UTF-8 text.
-size_t seen(const std::string& text) {
-  return size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<size_t> widths;
-  for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], seen(row[i]));
-  }
-  std::string out;
-  for (const auto& row : rows) {
-    std::string line = " ";
-    for (size_t i = 0; i < row.size(); ++i) {
-      const std::string pad(widths[i] - seen(row[i]), ' ');
-      line += (i ? "  " : " ") + (i == 0 ? row[i] + pad : pad + row[i]);
-    }
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return out;
-}
 
 /// Columns of words (passes by label) are for the page and the JSON alone.
 std::string tableText(const Figure& figure, const Run& run) {
@@ -48,7 +26,7 @@ std::string tableText(const Figure& figure, const Run& run) {
     for (size_t i = 0; i < row.entries.size(); ++i)
       if (table.columns[i].number) rows.back().push_back(row.entries[i].text);
   }
-  return "  " + table.caption + ":\n" + aligned(rows);
+  return "  " + table.caption + ":\n" + alignedTable(rows, 1, "  ");
 }
 
 std::string statementText(const Figure& figure, const FigureStatement& s, const Run& run) {

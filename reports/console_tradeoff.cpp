@@ -1,6 +1,5 @@
 // Every part of a block is a table of its own, aligned for itself: techniques and cells are few,
-// and columns shared between parts would be as wide as the widest. Text counts as it is seen, not
-// in bytes.
+// and columns shared between parts would be as wide as the widest.
 #include "reports/console_tradeoff.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,8 @@
 #include <cmath>
 #include <tuple>
 #include <utility>
+
+#include "reports/console_table.h"
 
 namespace report {
 namespace {
@@ -23,30 +24,6 @@ std::string rmse(double error) { return fmt::format("{:.3g}", error); }
 
 std::string interval(const Interval& i, auto text) {
   return fmt::format("[{},{}]", text(i.low), text(i.high));
-}
-
-/// Characters of UTF-8 text.
-size_t seen(const std::string& text) {
-  return size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// The first `left` columns start together, the others end together.
-std::string aligned(const std::vector<Row>& rows, size_t left) {
-  std::vector<size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], seen(row[i]));
-  }
-  std::string out;
-  for (const Row& row : rows) {
-    std::string line = " ";
-    for (size_t i = 0; i < row.size(); ++i) {
-      const std::string pad(widths[i] - seen(row[i]), ' ');
-      line += (i ? "  " : " ") + (i < left ? row[i] + pad : pad + row[i]);
-    }
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return out;
 }
 
 std::string timeName(const TradeOff& t) { return t.timeKey == "cpu_ms" ? "CPU ms" : "frame ms"; }
@@ -73,7 +50,7 @@ std::string points(const TradeOff& t) {
                     fmt::format("{:.1f}", double(p->bytes) / (1 << 20)),
                     // The space keeps the words below each other.
                     p->uncertain ? "front?" : (p->front ? "front " : "")});
-  return aligned(rows, 1);
+  return alignedTable(rows, 1, "  ");
 }
 
 /// One line a technique, one column a limit.
@@ -89,7 +66,7 @@ std::string limits(const std::string& title, const std::vector<std::string>& tec
       rows.back().push_back(p ? cellText(*p) : "-");
     }
   }
-  return "\n" + aligned(rows, 1);
+  return "\n" + alignedTable(rows, 1, "  ");
 }
 
 /// Without "-0.00".
@@ -103,7 +80,7 @@ std::string orders(const TradeOff& t) {
     rows.push_back({c.technique, c.of, c.knob, c.others.empty() ? "-" : c.others,
                     hundredths(c.order), interval(c.interval, hundredths),
                     fmt::format("{}", c.points)});
-  return "\n" + aligned(rows, 4);
+  return "\n" + alignedTable(rows, 4, "  ");
 }
 
 std::string block(const TradeOff& t) {

@@ -1,68 +1,29 @@
 // A group measured on the null backend, which draws nothing: what is called, recorded and refused.
-#include "suites/harness/group.h"
-
 #include <gtest/gtest.h>
 
-#include "backends/null/null_backend.h"
 #include "backends/rhi/memory_limit.h"
+#include "tests/harness/named_backend.h"
 
-namespace shadowbench_shader_blob {
-void addTo(rhi::ShaderLibrary& library);
-}
-
-namespace sb {
+namespace sb::test {
 namespace {
-
-/// The null backend under another name, or one that does not start.
-class Named final : public rhi::Backend {
- public:
-  Named(std::string name, bool starts) : m_name(std::move(name)), m_starts(starts) {}
-  std::string_view name() const override { return m_name; }
-  std::vector<rhi::DeviceInfo> enumerate() override { return m_inner->enumerate(); }
-  std::unique_ptr<rhi::Device> open(const rhi::DeviceRequest& request) override {
-    if (!m_starts) throw rhi::Error("open", "", "no driver");
-    return m_inner->open(request);
-  }
-
- private:
-  std::string m_name;
-  bool m_starts;
-  std::unique_ptr<rhi::Backend> m_inner = null_backend::makeBackend();
-};
 
 class NullGroup : public testing::Test {
  protected:
   NullGroup() { shadowbench_shader_blob::addTo(m_shaders); }
 
-  static CellId cell(const std::string& technique, const std::string& backend) {
-    return {.technique = technique,
-            .transparency = "Sorted",
-            .backend = backend,
-            .scene = "layers",
-            .width = 16,
-            .height = 16};
-  }
-  static MeasureSettings settings() {
-    MeasureSettings s;
-    s.stop.repetitions = 3;
-    s.blockSeconds = 0;
-    s.checkTimers = false;
-    s.judge.enabled = false;
-    return s;
-  }
   std::vector<CellResult> measure(const std::vector<CellId>& cells, const MeasureSettings& s) {
     Devices devices({&m_vulkan, &m_opengl, &m_broken}, m_shaders, {});
     return measureGroup(cells, devices, s, "test");
   }
 
   rhi::ShaderLibrary m_shaders;
-  Named m_vulkan{"vulkan", true}, m_opengl{"opengl", true}, m_broken{"opengl-osmesa", false};
+  NamedBackend m_vulkan{"vulkan"}, m_opengl{"opengl"}, m_broken{"opengl-osmesa", false};
 };
 
 TEST_F(NullGroup, FillsARecordOfEveryCell) {
   const auto results =
-      measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan"), cell("ShadowMap", "opengl")},
-              settings());
+      measure({smallCell("none", "vulkan"), smallCell("ShadowMap", "vulkan"), smallCell("ShadowMap", "opengl")},
+              shortSettings());
   ASSERT_EQ(results.size(), 3u);
   for (const CellResult& result : results) {
     const report::Record& r = result.record;
@@ -83,29 +44,29 @@ TEST_F(NullGroup, FillsARecordOfEveryCell) {
 }
 
 TEST_F(NullGroup, ErrorsThatWereNotAskedForAreAbsentWithTheReason) {
-  const auto results = measure({cell("none", "vulkan")}, settings());
+  const auto results = measure({smallCell("none", "vulkan")}, shortSettings());
   EXPECT_FALSE(results[0].record.visibility || results[0].record.image);
   EXPECT_EQ(results[0].record.why.at("image"), "no truth was asked for");
   EXPECT_TRUE(results[0].files.empty());
 }
 
 TEST_F(NullGroup, ADeviceThatDrawsNothingHasAnImageErrorAndNoVisibility) {
-  MeasureSettings s = settings();
+  MeasureSettings s = shortSettings();
   s.judge.enabled = true;
-  const auto results = measure({cell("none", "vulkan")}, s);
+  const auto results = measure({smallCell("none", "vulkan")}, s);
   EXPECT_GT(results[0].record.image->all.rmse, 0.1);
   EXPECT_FALSE(results[0].record.visibility);
   EXPECT_EQ(results[0].record.why.at("visibility"), "no lit surface is in the picture");
 }
 
 TEST_F(NullGroup, BlocksOfACameraInMotionAreWholeLoops) {
-  std::vector<CellId> cells = {cell("CSSM2", "vulkan"), cell("none", "opengl")};
+  std::vector<CellId> cells = {smallCell("CSSM2", "vulkan"), smallCell("none", "opengl")};
   for (CellId& id : cells) id.scene = "layers?motion:move=0,0.5,0,steps=5";
-  CellId standing = cell("CSSM2", "vulkan");
-  MeasureSettings s = settings();
+  CellId standing = smallCell("CSSM2", "vulkan");
+  MeasureSettings s = shortSettings();
   s.blockSeconds = 0.01;
   const auto results = measure(cells, s);
-  const auto still = measure({standing}, settings());
+  const auto still = measure({standing}, shortSettings());
   for (const CellResult& result : results) {
     const report::Record& r = result.record;
     ASSERT_EQ(r.status, report::Status::Ok) << r.reason;
@@ -120,10 +81,10 @@ TEST_F(NullGroup, BlocksOfACameraInMotionAreWholeLoops) {
 
 TEST_F(NullGroup, MapsThatDoNotFitAreSkippedWithBytesAndLimit) {
   rhi::pretendFreeMemory(uint64_t(1) << 30);
-  CellId large = cell("CSSM2", "vulkan"), small = cell("CSSM2", "vulkan");
+  CellId large = smallCell("CSSM2", "vulkan"), small = smallCell("CSSM2", "vulkan");
   large.knobs = {{"size", "16384"}};
   small.knobs = {{"size", "64"}};
-  const auto results = measure({large, small}, settings());
+  const auto results = measure({large, small}, shortSettings());
   rhi::pretendFreeMemory({});
   EXPECT_EQ(results[0].record.status, report::Status::Skipped);
   EXPECT_NE(results[0].record.reason.find(
@@ -137,10 +98,10 @@ TEST_F(NullGroup, MapsThatDoNotFitAreSkippedWithBytesAndLimit) {
 }
 
 TEST_F(NullGroup, RayTracingIsARowWithItsTimeAndNoError) {
-  MeasureSettings s = settings();
+  MeasureSettings s = shortSettings();
   s.judge.enabled = true;
   const auto results =
-      measure({cell("none", "vulkan"), cell("RayTraced", "cpu"), cell("ShadowMap", "vulkan")}, s);
+      measure({smallCell("none", "vulkan"), smallCell("RayTraced", "cpu"), smallCell("ShadowMap", "vulkan")}, s);
   const report::Record& r = results[1].record;
   ASSERT_EQ(r.status, report::Status::Ok) << r.reason;
   EXPECT_GT(r.cpu->median, 0);
@@ -157,7 +118,7 @@ TEST_F(NullGroup, RayTracingIsARowWithItsTimeAndNoError) {
 }
 
 TEST_F(NullGroup, ABackendThatDoesNotStartIsSkippedWithTheReason) {
-  const auto results = measure({cell("none", "opengl-osmesa"), cell("none", "vulkan")}, settings());
+  const auto results = measure({smallCell("none", "opengl-osmesa"), smallCell("none", "vulkan")}, shortSettings());
   EXPECT_EQ(results[0].record.status, report::Status::Skipped);
   EXPECT_NE(results[0].record.reason.find("no driver"), std::string::npos);
   EXPECT_EQ(results[1].record.status, report::Status::Ok);
@@ -165,22 +126,22 @@ TEST_F(NullGroup, ABackendThatDoesNotStartIsSkippedWithTheReason) {
 
 TEST_F(NullGroup, InterruptionGivesTheGroupUp) {
   std::atomic<bool> interrupted = false;
-  MeasureSettings s = settings();
+  MeasureSettings s = shortSettings();
   s.interrupted = &interrupted;
   s.progress = [&](const std::string& what, double) { interrupted = what == "measure"; };
-  EXPECT_TRUE(measure({cell("none", "vulkan"), cell("ShadowMap", "vulkan")}, s).empty());
+  EXPECT_TRUE(measure({smallCell("none", "vulkan"), smallCell("ShadowMap", "vulkan")}, s).empty());
   interrupted = true;
-  EXPECT_TRUE(measure({cell("none", "vulkan")}, s).empty());
+  EXPECT_TRUE(measure({smallCell("none", "vulkan")}, s).empty());
 }
 
 TEST_F(NullGroup, DevicesWithoutTrustedTimersGiveNoTimes) {
-  MeasureSettings s = settings();
+  MeasureSettings s = shortSettings();
   s.checkTimers = true;
   Devices devices({&m_vulkan, &m_opengl}, m_shaders, {});
   devices.open("vulkan")->timers = {{"twice the work", "ratio 1.0", false, TimerUse::Frame}};
   devices.open("opengl")->timers = {{"passes sum up", "0.1 of it", false, TimerUse::Passes}};
   const auto results =
-      measureGroup({cell("none", "vulkan"), cell("none", "opengl")}, devices, s, "");
+      measureGroup({smallCell("none", "vulkan"), smallCell("none", "opengl")}, devices, s, "");
   EXPECT_EQ(results[0].record.status, report::Status::Failed);
   EXPECT_EQ(results[0].record.reason, "timer not trusted: twice the work: ratio 1.0");
   EXPECT_FALSE(results[0].record.frame);
@@ -192,4 +153,4 @@ TEST_F(NullGroup, DevicesWithoutTrustedTimersGiveNoTimes) {
 }
 
 }  // namespace
-}  // namespace sb
+}  // namespace sb::test

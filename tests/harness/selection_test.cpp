@@ -8,16 +8,14 @@
 #include <set>
 
 #include "techniques/common/error.h"
+#include "tests/harness/named_backend.h"
 
-namespace sb {
+namespace sb::test {
 namespace {
 
-const std::vector<std::string> kKnown = {"vulkan", "opengl", "opengl-osmesa"};
-const std::vector<std::string> kDefault = {"vulkan", "opengl"};
+std::vector<CellId> select(const Selection& s) { return selectCells(s, kBackendNames, kDefaultBackends); }
 
-std::vector<CellId> select(const Selection& s) { return selectCells(s, kKnown, kDefault); }
-
-std::string errorOf(const Selection& s) {
+std::string messageOf(const Selection& s) {
   try {
     select(s);
   } catch (const InputError& e) {
@@ -146,31 +144,31 @@ TEST(Selection, CommandsReproduceTheCell) {
 }
 
 TEST(Selection, ErrorsNameTheNearest) {
-  EXPECT_NE(errorOf({.techniques = {"CSM2"}, .filter = {}, .size = {}}).find("CSSM2"),
+  EXPECT_NE(messageOf({.techniques = {"CSM2"}, .filter = {}, .size = {}}).find("CSSM2"),
             std::string::npos);
-  EXPECT_NE(errorOf({.techniques = {"none+DepthPeling"}}).find("DepthPeeling"), std::string::npos);
-  EXPECT_NE(errorOf({.backends = {"vulcan"}, .filter = {}, .size = {}}).find("vulkan"),
+  EXPECT_NE(messageOf({.techniques = {"none+DepthPeling"}}).find("DepthPeeling"), std::string::npos);
+  EXPECT_NE(messageOf({.backends = {"vulcan"}, .filter = {}, .size = {}}).find("vulkan"),
             std::string::npos);
-  EXPECT_NE(errorOf({.scenes = {"layer"}, .filter = {}, .size = {}}).find("layers"),
+  EXPECT_NE(messageOf({.scenes = {"layer"}, .filter = {}, .size = {}}).find("layers"),
             std::string::npos);
-  EXPECT_NE(errorOf({.sets = {"kernal=3"}, .filter = {}, .size = {}}).find("kernel"),
+  EXPECT_NE(messageOf({.sets = {"kernal=3"}, .filter = {}, .size = {}}).find("kernel"),
             std::string::npos);
   EXPECT_NE(
-      errorOf({.filter = "CSM2/vulkan/windo", .size = {}}).find("CSSM2/vulkan/window/512x512"),
+      messageOf({.filter = "CSM2/vulkan/windo", .size = {}}).find("CSSM2/vulkan/window/512x512"),
       std::string::npos);
 }
 
 TEST(Selection, ErrorsSayWhatWasExpected) {
   for (const char* bad : {"kernel", "kernel=", "kernel=4", "kernel=1000", "kernel=x", "kernel=3,"})
-    EXPECT_NE(errorOf({.techniques = {"CSSM2"}, .sets = {bad}, .filter = {}, .size = {}})
+    EXPECT_NE(messageOf({.techniques = {"CSSM2"}, .sets = {bad}, .filter = {}, .size = {}})
                   .find("expected"),
               std::string::npos)
         << bad;
-  EXPECT_NE(errorOf({.sets = {"kernel=1", "kernel=3"}, .filter = {}, .size = {}}).find("twice"),
+  EXPECT_NE(messageOf({.sets = {"kernel=1", "kernel=3"}, .filter = {}, .size = {}}).find("twice"),
             std::string::npos);
-  EXPECT_NE(errorOf({.techniques = {"CSSM2+Sorted+x"}, .filter = {}, .size = {}}), "");
-  EXPECT_NE(errorOf({.filter = "(", .size = {}}).find("regular expression"), std::string::npos);
-  EXPECT_NE(errorOf({.filter = ".", .filterExcludes = true, .size = {}}), "");
+  EXPECT_NE(messageOf({.techniques = {"CSSM2+Sorted+x"}, .filter = {}, .size = {}}), "");
+  EXPECT_NE(messageOf({.filter = "(", .size = {}}).find("regular expression"), std::string::npos);
+  EXPECT_NE(messageOf({.filter = ".", .filterExcludes = true, .size = {}}), "");
 }
 
 TEST(Selection, FiltersKeepOrLeaveOut) {
@@ -203,7 +201,7 @@ TEST(Groups, BaselinesThatWereAskedForAreNoCompanions) {
 TEST(Groups, BackendsOfACellStayTogether) {
   // Three backends do not divide the limit of four.
   const auto cells = select({.techniques = {"ShadowMap"},
-                             .backends = kKnown,
+                             .backends = kBackendNames,
                              .scenes = {"layers"},
                              .sets = {"size=256,512,2048"},
                              .filter = {},
@@ -242,4 +240,4 @@ TEST(Selection, ANameFindsItselfWhateverItMeansAsAnExpression) {
 }
 
 }  // namespace
-}  // namespace sb
+}  // namespace sb::test

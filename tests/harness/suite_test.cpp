@@ -7,21 +7,19 @@
 
 #include "techniques/common/error.h"
 #include "techniques/common/registry.h"
+#include "tests/harness/named_backend.h"
 
-namespace sb {
+namespace sb::test {
 namespace {
-
-const std::vector<std::string> kKnown = {"vulkan", "opengl", "opengl-osmesa"};
-const std::vector<std::string> kDefault = {"vulkan", "opengl"};
 
 std::vector<std::string> namesOf(std::string_view text, const Selection& over = {}) {
   std::vector<std::string> names;
-  for (const CellId& id : suiteCells(parseSuite(text, "s.toml"), over, kKnown, kDefault))
+  for (const CellId& id : suiteCells(parseSuite(text, "s.toml"), over, kBackendNames, kDefaultBackends))
     names.push_back(cellName(id));
   return names;
 }
 
-std::string errorOf(std::string_view text) {
+std::string messageOf(std::string_view text) {
   try {
     namesOf(text);
   } catch (const InputError& e) {
@@ -69,7 +67,7 @@ TEST(Suite, ArgumentsReplaceBackendsAndSizeAndFilter) {
 
 TEST(Suite, QuickIsEveryTechniqueOnTheScenesThatStandInForNone) {
   const Suite quick = loadSuite("quick");
-  const auto cells = suiteCells(quick, {}, kKnown, kDefault);
+  const auto cells = suiteCells(quick, {}, kBackendNames, kDefaultBackends);
   std::set<std::string> scenes, techniques;
   for (const CellId& id : cells) {
     scenes.insert(id.scene);
@@ -83,7 +81,7 @@ TEST(Suite, QuickIsEveryTechniqueOnTheScenesThatStandInForNone) {
 TEST(Suite, GridsThatMultiplyBeyondReasonAreRefusedBeforeTheyAreMade) {
   std::string values;
   for (int i = 0; i < 1000; ++i) values += (i ? "," : "") + std::to_string(i + 64);
-  EXPECT_NE(errorOf("[[run]]\nscenes=['layers']\ntechniques=['CSSM2']\ngrid.size=[" + values +
+  EXPECT_NE(messageOf("[[run]]\nscenes=['layers']\ntechniques=['CSSM2']\ngrid.size=[" + values +
                     "]\ngrid.kernel=[" + values + "]")
                 .find("more than 100000 cells"),
             std::string::npos);
@@ -133,8 +131,8 @@ TEST(Suite, MistakesAreNamedWithLineAndField) {
       {"[[run]]\nscenes=['layers']\ntechniques=['ShadowMap']\nsweep.kernal=[3]",
        "unknown knob 'kernal'"}};
   for (const auto& [text, expected] : cases)
-    EXPECT_NE(errorOf(text).find(expected), std::string::npos)
-        << text << "\n-> " << errorOf(text) << "\nexpected " << expected;
+    EXPECT_NE(messageOf(text).find(expected), std::string::npos)
+        << text << "\n-> " << messageOf(text) << "\nexpected " << expected;
 }
 
 TEST(Suite, ChangesOfScenesAreThoseOfTheCommandLine) {
@@ -180,7 +178,7 @@ TEST(Suite, FiguresNameTheirCells) {
       kScaling + kStatement + "right = '^Shadow'\nof = 'slope'\nfactor = 2\nat = 3\nleft_at = 4\n" +
           kStatement + "number = 7\n[[figure.stated]]\ncells = '^none'\nbytes = 'b'\n",
       "s.toml");
-  const auto figures = suiteFigures(suite, {.backends = {"vulkan"}, .filter = "CSSM2"}, kKnown, kDefault);
+  const auto figures = suiteFigures(suite, {.backends = {"vulkan"}, .filter = "CSSM2"}, kBackendNames, kDefaultBackends);
   ASSERT_EQ(figures.size(), 1u);
   const report::Figure& f = figures[0];
   // What a filter leaves out belongs to the figure all the same.
@@ -205,7 +203,7 @@ TEST(Suite, FiguresNameTheirCells) {
 TEST(Suite, MistakesInFiguresAreNamed) {
   const auto errorOfFigures = [](const std::string& text) -> std::string {
     try {
-      suiteFigures(parseSuite(text, "s.toml"), {}, kKnown, kDefault);
+      suiteFigures(parseSuite(text, "s.toml"), {}, kBackendNames, kDefaultBackends);
     } catch (const InputError& e) {
       return e.what();
     }
@@ -244,9 +242,9 @@ TEST(Suite, EveryBuiltInSuiteSelectsCells) {
   ASSERT_FALSE(builtinSuites().empty());
   for (const std::string& name : builtinSuites()) {
     const Suite suite = loadSuite(name);
-    const auto cells = suiteCells(suite, {}, kKnown, kDefault);
+    const auto cells = suiteCells(suite, {}, kBackendNames, kDefaultBackends);
     EXPECT_TRUE(cells.size() > 5 || !suite.stability.empty()) << name;
-    const auto figures = suiteFigures(suite, {}, kKnown, kDefault);
+    const auto figures = suiteFigures(suite, {}, kBackendNames, kDefaultBackends);
     EXPECT_EQ(name.starts_with("coloured_"), !figures.empty()) << name;
     std::set<std::string> names;
     for (const CellId& id : cells) EXPECT_TRUE(names.insert(cellName(id)).second) << cellName(id);
@@ -256,4 +254,4 @@ TEST(Suite, EveryBuiltInSuiteSelectsCells) {
 }
 
 }  // namespace
-}  // namespace sb
+}  // namespace sb::test

@@ -6,50 +6,16 @@
 #include <chrono>
 #include <thread>
 
-#include "backends/null/null_backend.h"
 #include "backends/rhi/memory_limit.h"
-#include "suites/harness/group.h"
+#include "tests/harness/named_backend.h"
 
-namespace shadowbench_shader_blob {
-void addTo(rhi::ShaderLibrary& library);
-}
-
-namespace sb {
+namespace sb::test {
 namespace {
-
-/// What a driver does wrong, by what is asked of it.
-struct Faults : rhi::Observer {
-  std::function<void()> onPass = [] {};
-  std::function<void()> onTexture = [] {};
-  void beginPass(const rhi::PassDesc&) override { onPass(); }
-  void created(rhi::TextureId, const rhi::TextureDesc&) override { onTexture(); }
-};
-
-class Named final : public rhi::Backend {
- public:
-  explicit Named(std::string name) : m_name(std::move(name)) {}
-  std::string_view name() const override { return m_name; }
-  std::vector<rhi::DeviceInfo> enumerate() override { return m_inner->enumerate(); }
-  std::unique_ptr<rhi::Device> open(const rhi::DeviceRequest& request) override {
-    auto device = m_inner->open(request);
-    device->setObserver(&faults);
-    return device;
-  }
-  Faults faults;
-
- private:
-  std::string m_name;
-  std::unique_ptr<rhi::Backend> m_inner = null_backend::makeBackend();
-};
 
 class Survive : public testing::Test {
  protected:
   Survive() {
     shadowbench_shader_blob::addTo(m_shaders);
-    m_settings.stop.repetitions = 3;
-    m_settings.blockSeconds = 0;
-    m_settings.checkTimers = false;
-    m_settings.judge.enabled = false;
     m_settings.interrupted = &m_interrupted;
     m_settings.onBlock = [&](const std::string& cell, const SampleBlock& block) {
       m_blocks[cell].push_back(block);
@@ -58,14 +24,6 @@ class Survive : public testing::Test {
   }
   ~Survive() override { rhi::pretendFreeMemory({}); }
 
-  static CellId cell(const std::string& technique, const std::string& backend) {
-    return {.technique = technique,
-            .transparency = "Sorted",
-            .backend = backend,
-            .scene = "layers",
-            .width = 16,
-            .height = 16};
-  }
   std::vector<CellResult> measure(const std::vector<CellId>& cells) {
     return measureGroup(cells, m_devices, m_settings, "test");
   }
@@ -77,16 +35,16 @@ class Survive : public testing::Test {
 
   std::atomic<bool> m_interrupted = false;
   rhi::ShaderLibrary m_shaders;
-  Named m_vulkan{"vulkan"}, m_opengl{"opengl"};
+  NamedBackend m_vulkan{"vulkan"}, m_opengl{"opengl"};
   Devices m_devices{{&m_vulkan, &m_opengl}, m_shaders, {}};
-  MeasureSettings m_settings;
+  MeasureSettings m_settings = shortSettings();
   std::map<std::string, std::vector<SampleBlock>> m_blocks;
   std::vector<report::Record> m_verified;
 };
 
 TEST_F(Survive, AnInterruptLosesNoBlockThatWasMeasured) {
-  const std::vector<CellId> cells = {cell("none", "vulkan"), cell("ShadowMap", "vulkan"),
-                                     cell("CSSM2", "vulkan")};
+  const std::vector<CellId> cells = {smallCell("none", "vulkan"), smallCell("ShadowMap", "vulkan"),
+                                     smallCell("CSSM2", "vulkan")};
   const auto put = m_settings.onBlock;
   for (const size_t at : {1u, 4u, 5u, 8u, 9u}) {
     SCOPED_TRACE(at);
@@ -121,7 +79,7 @@ TEST_F(Survive, CellsThatWereVerifiedAreKeptWhenTheirGroupIsCut) {
     m_interrupted = m_verified.size() == 2;
   };
   const auto results = measure(
-      {cell("none", "vulkan"), cell("ShadowMap", "vulkan"), cell("CSSM2", "vulkan")});
+      {smallCell("none", "vulkan"), smallCell("ShadowMap", "vulkan"), smallCell("CSSM2", "vulkan")});
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[1].record.name, "ShadowMap/vulkan/layers/16x16");
   // Both sides of it are finished.
@@ -133,9 +91,9 @@ TEST_F(Survive, CellsThatWereVerifiedAreKeptWhenTheirGroupIsCut) {
 }
 
 TEST_F(Survive, CompanionsAreNotTold) {
-  CellId companion = cell("none", "vulkan");
+  CellId companion = smallCell("none", "vulkan");
   companion.companion = true;
-  measure({cell("ShadowMap", "vulkan"), companion});
+  measure({smallCell("ShadowMap", "vulkan"), companion});
   ASSERT_EQ(m_verified.size(), 1u);
   EXPECT_EQ(m_verified[0].technique, "ShadowMap");
 }
@@ -149,8 +107,8 @@ TEST_F(Survive, ADeviceThatIsLostFailsItsCellsAndTheOtherGoesOn) {
     m_vulkan.faults.onPass = [&] {
       if (++passes >= at) throw rhi::Error("vkQueueSubmit2", "VK_ERROR_DEVICE_LOST", "gone");
     };
-    const auto results = measureGroup({cell("none", "vulkan"), cell("none", "opengl"),
-                                       cell("ShadowMap", "vulkan"), cell("ShadowMap", "opengl")},
+    const auto results = measureGroup({smallCell("none", "vulkan"), smallCell("none", "opengl"),
+                                       smallCell("ShadowMap", "vulkan"), smallCell("ShadowMap", "opengl")},
                                       devices, m_settings, "test");
     m_vulkan.faults.onPass = [] {};
     ASSERT_EQ(results.size(), 4u);
@@ -177,7 +135,7 @@ TEST_F(Survive, AnExceptionWhileRecordingLeavesNoHalfFrame) {
   m_vulkan.faults.onPass = [&] {
     if (++passes == at) throw rhi::Error("vkCmdDraw", "VK_ERROR_UNKNOWN", "for this test");
   };
-  const std::vector<CellId> cells = {cell("none", "vulkan"), cell("CSSM2", "vulkan")};
+  const std::vector<CellId> cells = {smallCell("none", "vulkan"), smallCell("CSSM2", "vulkan")};
   measure(cells);
   const int all = passes;
   EXPECT_GT(all, 20);
@@ -193,9 +151,9 @@ TEST_F(Survive, AnExceptionWhileRecordingLeavesNoHalfFrame) {
 }
 
 TEST_F(Survive, MapsThatDoNotFitTogetherAreMeasuredApart) {
-  std::vector<CellId> cells = {cell("none", "vulkan")};
+  std::vector<CellId> cells = {smallCell("none", "vulkan")};
   for (const char* technique : {"ShadowMap", "CSSM2", "TranslucentShadows"}) {
-    cells.push_back(cell(technique, "vulkan"));
+    cells.push_back(smallCell(technique, "vulkan"));
     cells.back().knobs = {{"size", "4096"}};
   }
   const auto alone = measure(cells);
@@ -225,10 +183,10 @@ TEST_F(Survive, MapsThatDoNotFitTogetherAreMeasuredApart) {
 }
 
 TEST_F(Survive, WhatDoesNotFitAloneIsSkippedOnce) {
-  CellId large = cell("CSSM2", "vulkan"), other = cell("CSSM2", "opengl");
+  CellId large = smallCell("CSSM2", "vulkan"), other = smallCell("CSSM2", "opengl");
   for (CellId* id : {&large, &other}) id->knobs = {{"size", "8192"}};
   rhi::limitHostMemory(64u << 20);
-  const auto results = measure({cell("none", "vulkan"), large, other});
+  const auto results = measure({smallCell("none", "vulkan"), large, other});
   rhi::limitHostMemory(UINT64_MAX);
   ASSERT_EQ(results.size(), 3u);
   for (const CellResult& r : results) {
@@ -240,7 +198,7 @@ TEST_F(Survive, WhatDoesNotFitAloneIsSkippedOnce) {
 
 TEST_F(Survive, MemoryThatRunsOutIsASkipWithWords) {
   m_vulkan.faults.onTexture = [] { throw std::bad_alloc(); };
-  const auto results = measure({cell("ShadowMap", "vulkan"), cell("ShadowMap", "opengl")});
+  const auto results = measure({smallCell("ShadowMap", "vulkan"), smallCell("ShadowMap", "opengl")});
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].record.status, report::Status::Skipped);
   EXPECT_TRUE(results[0].record.reason.starts_with(rhi::kTooLargeWords));
@@ -252,7 +210,7 @@ TEST_F(Survive, SlowCellsKeepToTheirBudget) {
   m_settings.stop = {.precision = 1e-9, .minBlocks = 6, .repetitions = 0};
   m_settings.budgetSeconds = 0.02;
   m_opengl.faults.onPass = [] { std::this_thread::sleep_for(std::chrono::milliseconds(30)); };
-  const auto results = measure({cell("none", "vulkan"), cell("none", "opengl")});
+  const auto results = measure({smallCell("none", "vulkan"), smallCell("none", "opengl")});
   m_opengl.faults.onPass = [] {};
   ASSERT_EQ(results.size(), 2u);
   const report::Record &quick = results[0].record, &slow = results[1].record;
@@ -269,4 +227,4 @@ TEST_F(Survive, SlowCellsKeepToTheirBudget) {
 }
 
 }  // namespace
-}  // namespace sb
+}  // namespace sb::test

@@ -98,7 +98,7 @@ front: no other cell here is as fast and as exact, and better in one.
 )");
 }
 
-TEST(TradeOffTable, OfNothingIsEmpty) { EXPECT_EQ(toTable({}), ""); }
+TEST(TradeOffTable, OfNothingIsEmpty) { EXPECT_EQ(toTable(std::vector<TradeOff>{}), ""); }
 
 TEST(TradeOffTable, NeverSaysGpuOfASoftwareDevice) {
   const report::Run run = sweep();

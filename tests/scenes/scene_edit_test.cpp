@@ -10,7 +10,7 @@
 namespace sb {
 namespace {
 
-std::string errorOf(const std::string& spec) {
+std::string messageOf(const std::string& spec) {
   try {
     makeScene(spec);
   } catch (const InputError& e) {
@@ -104,7 +104,7 @@ TEST(SceneEdit, WrongOnesAreNamed) {
       {"layers?motion:move=1,0,0,steps=2.5", "expected a whole number"},
       {"layers?sun:direction=0,0,0", "no length"}};
   for (const auto& [spec, text] : cases)
-    EXPECT_NE(errorOf(spec).find(text), std::string::npos) << spec << ": " << errorOf(spec);
+    EXPECT_NE(messageOf(spec).find(text), std::string::npos) << spec << ": " << messageOf(spec);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "suites/scenes/procedural.h"
 #include "suites/scenes/shapes.h"
-#include "suites/truth/tracer.h"
+#include "tests/truth/traced.h"
 
 namespace sb::test {
 namespace {
@@ -14,10 +14,6 @@ namespace {
 using glm::dvec3;
 
 constexpr uint32_t kSize = 64;
-
-Truth traced(const Scene& scene, uint32_t size = kSize) {
-  return *Tracer(scene, size, size).trace({.width = size, .height = size});
-}
 
 /// A lid a little above the floor under slanted light, seen from `distance` with the same picture.
 Scene lidFrom(double distance, float height = 0.0625f) {

@@ -2,17 +2,13 @@
 // around a lookup.
 #include <gtest/gtest.h>
 
-#include "suites/truth/tracer.h"
 #include "suites/scenes/shapes.h"
+#include "tests/truth/traced.h"
 
 namespace sb::test {
 namespace {
 
 using glm::dvec3;
-
-Truth traced(const Scene& scene) {
-  return *Tracer(scene, 64, 64).trace({.width = 64, .height = 64});
-}
 
 size_t at(uint32_t x, uint32_t y) { return y * 64u + x; }
 float red(const Truth& t, uint32_t layer, uint32_t x, uint32_t y) {

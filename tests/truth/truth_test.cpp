@@ -6,17 +6,13 @@
 
 #include "suites/scenes/procedural.h"
 #include "suites/scenes/transform.h"
-#include "suites/truth/tracer.h"
 #include "suites/scenes/shapes.h"
+#include "tests/truth/traced.h"
 
 namespace sb::test {
 namespace {
 
 using glm::dvec3;
-
-Truth traced(const Scene& scene, uint32_t size = 64, unsigned threads = 0) {
-  return *Tracer(scene, size, size, threads).trace({.width = size, .height = size});
-}
 
 /// RGB of a light's visibility at a pixel of a layer; x, y from the lower left.
 dvec3 visibilityAt(const Truth& t, uint32_t light, uint32_t layer, uint32_t x, uint32_t y) {
