@@ -217,4 +217,28 @@ dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
   return passed;
 }
 
+std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,
+                                                       double reach,
+                                                       std::vector<TruthHit>& scratch) const {
+  const dvec3 direction = toLight(light, point.position);
+  const TruthRay ray{.origin = point.position - reach * direction,
+                     .direction = direction,
+                     .tMin = 0,
+                     .tMax = 2 * reach};
+  m_bvh->hits(ray,
+              [&](const TruthHit& hit) {
+                return m_triangles[hit.triangle].instance == point.instance
+                           ? Bvh::Verdict::Keep
+                           : Bvh::Verdict::Ignore;
+              },
+              scratch);
+  if (scratch.empty()) return {};
+  const TruthHit& nearest = *std::ranges::min_element(
+      scratch, {}, [&](const TruthHit& hit) { return std::abs(hit.t - reach); });
+  Tracer::Point at = point;
+  at.position = ray.origin + nearest.t * direction;
+  at.triangle = nearest.triangle;
+  return at;
+}
+
 }  // namespace sb

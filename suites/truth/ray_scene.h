@@ -30,6 +30,11 @@ class RayScene {
   /// receiver's own instance does not count within that distance.
   glm::dvec3 visibility(uint32_t light, const Tracer::Point& point, std::vector<TruthHit>& scratch,
                         double ownNear = 0) const;
+  /// Where the receiver's own instance lies nearest to `point` along the light, `reach` to either
+  /// side; the point as if it lay there.
+  std::optional<Tracer::Point> ownSurfaceAlong(uint32_t light, const Tracer::Point& point,
+                                               double reach,
+                                               std::vector<TruthHit>& scratch) const;
   /// Does the light reach the side of the surface that the viewer sees?
   bool reaches(uint32_t light, const Tracer::Point& point) const;
   gpu::Illumination illumination(uint32_t light, const Tracer::Point& point) const;

@@ -135,10 +135,15 @@ Tracer::Range Tracer::visibilityNear(uint32_t light, const Point& point,
     const double most = steepest * glm::length(offset);
     Point at = point;
     at.position += offset + toLight * std::min(std::max(along, -most), most);
-    // The receiver's own surface bends away from its plane: that is no shadow's edge.
-    const dvec3 v = rays.visibility(light, at, scratch, 4 * width);
-    range.low = glm::min(range.low, v);
-    range.high = glm::max(range.high, v);
+    // Where the receiver's own surface bends away from its plane lies no shadow's edge: what is
+    // dark in the plane alone, and lit on the surface, is not dark.
+    const dvec3 plane = rays.visibility(light, at, scratch, 4 * width);
+    range.high = glm::max(range.high, plane);
+    dvec3 low = plane;
+    if (glm::any(glm::lessThan(plane, range.low)))
+      if (auto on = rays.ownSurfaceAlong(light, at, 4 * width + std::abs(along), scratch))
+        low = glm::max(low, rays.visibility(light, *on, scratch, 4 * width));
+    range.low = glm::min(range.low, low);
   };
   for (int y = -2; y <= 2; ++y)
     for (int x = -2; x <= 2; ++x)

@@ -50,8 +50,9 @@ class Tracer {
   /// Least and greatest visibility over the point and points of its plane around it within the
   /// reach (a square ring of 16 and one of 8 at half the width, shifted along the light's direction
   /// onto the point's plane): equal when no shadow edge lies within the reach. What the point's own
-  /// instance throws over less than four half widths does not count: a curved surface that shadows
-  /// itself there is the lookup's fault.
+  /// instance throws over less than four half widths does not count, nor what darkens its plane but
+  /// not the surface that bends away from it: a curved surface that shadows itself there is the
+  /// lookup's fault.
   Range visibilityNear(uint32_t light, const Point& point, const LookupReach& reach) const;
 
  private:

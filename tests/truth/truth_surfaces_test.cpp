@@ -135,5 +135,37 @@ TEST(TruthSurfaces, AroundALookup) {
   }
 }
 
+/// A gutter along z with walls of slope 4 under a sun straight above, seen from there; `lid`: a strip
+/// a little above its right half.
+Scene gutterScene(bool lid) {
+  Scene scene;
+  Mesh gutter;
+  gutter.material = add(scene, matte());
+  gutter.positions = {{-1, 4, -1}, {-1, 4, 1}, {0, 0, 1}, {0, 0, -1}, {1, 4, -1}, {1, 4, 1}};
+  gutter.normals.assign(6, {0, 1, 0});
+  gutter.indices = {0, 1, 2, 0, 2, 3, 3, 2, 5, 3, 5, 4};
+  place(scene, add(scene, std::move(gutter)));
+  if (lid) addHorizontal(scene, 0, {0.5, 4.5, 0}, 0.5f, 1);
+  addLight(scene, sun({0, -1, 0}));
+  Camera camera = lookAt({0, 10, 0}, {0, 0, 0}, 0.25, 20);
+  camera.orthographic = true;
+  camera.halfHeight = 1;
+  scene.cameras = {camera};
+  return scene;
+}
+
+TEST(TruthSurfaces, WhereTheReceiverBendsUpwardsIsNoShadowsEdge) {
+  for (const bool lid : {false, true}) {
+    const Scene scene = gutterScene(lid);
+    const Tracer tracer(scene, 64, 64);
+    const auto point = tracer.pointAt(30, 32, 0);  // x = -0.047, on the left wall
+    ASSERT_TRUE(point);
+    ASSERT_LT(point->position.x, 0);
+    const auto range = tracer.visibilityNear(0, *point, {.constant = 0.25});
+    EXPECT_EQ(range.low, dvec3(lid ? 0 : 1)) << lid;
+    EXPECT_EQ(range.high, dvec3(1)) << lid;
+  }
+}
+
 }  // namespace
 }  // namespace sb::test
