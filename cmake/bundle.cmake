@@ -12,6 +12,11 @@ if(missing)
 endif()
 file(COPY ${BENCH} DESTINATION ${OUT}/bin)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/bundle_start.sh ${OUT}/bench COPYONLY)
+# What a device is asked on one short visit (tests/device/README.md).
+set(tests ${CMAKE_CURRENT_LIST_DIR}/../tests)
+file(COPY ${tests}/device/check.sh DESTINATION ${OUT})
+file(COPY ${tests}/fuzz/corpus/lights.gltf ${tests}/fuzz/corpus/textured.gltf
+  DESTINATION ${OUT}/scenes)
 foreach(library ${libraries})
   get_filename_component(name ${library} NAME)
   set(folder lib)
