@@ -26,9 +26,7 @@ bool allows(const NumberRule& rule, double value) {
 }
 
 std::string describe(const NumberRule& rule) {
-  const std::string kind = rule.odd     ? "an odd number"
-                           : rule.whole ? "a whole number"
-                                        : "a number";
+  const std::string kind = rule.odd ? "an odd number" : rule.whole ? "a whole number" : "a number";
   const NumberRule any;
   const bool low = rule.low != any.low, high = rule.high != any.high;
   if (low && high && !rule.above)

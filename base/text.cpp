@@ -45,9 +45,11 @@ std::string hex(std::string_view bytes) {
   return out;
 }
 
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
 /// Where a character of valid text begins at or before `at`.
 size_t boundary(std::string_view text, size_t at) {
-  while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) --at;
+  while (at > 0 && at < text.size() && isContinuation(text[at])) --at;
   return at;
 }
 
@@ -79,14 +81,17 @@ std::string printableLines(std::string_view text) {
   return out + printable(text);
 }
 
+std::string shortened(std::string_view text, size_t most, std::string_view gap) {
+  if (text.size() <= most) return std::string(text);
+  if (most <= gap.size()) return std::string(gap.substr(0, most));
+  const size_t head = (most - gap.size()) / 2;
+  size_t last = text.size() - (most - gap.size() - head);
+  while (last < text.size() && isContinuation(text[last])) ++last;
+  return std::string(text.substr(0, boundary(text, head))).append(gap).append(text.substr(last));
+}
+
 std::string errorLine(std::string_view text) {
-  const std::string line = printable(text);
-  if (line.size() <= kErrorLine) return line;
-  static constexpr std::string_view kGap = " ... ";
-  const size_t head = (kErrorLine - kGap.size()) / 2, tail = kErrorLine - kGap.size() - head;
-  size_t last = line.size() - tail;
-  while (last < line.size() && (static_cast<unsigned char>(line[last]) & 0xC0) == 0x80) ++last;
-  return line.substr(0, boundary(line, head)) + std::string(kGap) + line.substr(last);
+  return shortened(printable(text), kErrorLine, " ... ");
 }
 
 std::string shellWord(std::string_view text) {
@@ -104,7 +109,8 @@ std::string shellWord(std::string_view text) {
     return out + "'";
   }
   const bool plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
-    return c >= 0x80 || std::isalnum(c) || std::string_view("-_./:,=+@%^").find(char(c)) != std::string_view::npos;
+    return c >= 0x80 || std::isalnum(c) ||
+           std::string_view("-_./:,=+@%^").find(char(c)) != std::string_view::npos;
   });
   if (plain) return std::string(text);
   std::string out = "'";

@@ -15,6 +15,10 @@ std::string printable(std::string_view text);
 /// The same for several lines: line feeds stay.
 std::string printableLines(std::string_view text);
 
+/// At most `most` bytes: the middle gives way to `gap`, for both ends of a message matter.
+/// Characters stay whole.
+std::string shortened(std::string_view text, size_t most, std::string_view gap = "...");
+
 /// Longest line of an error, in bytes.
 inline constexpr size_t kErrorLine = 300;
 /// `printable`, and never longer than `kErrorLine`: the middle gives way, for the ends say where

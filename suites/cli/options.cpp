@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/number.h"
+#include "base/percent.h"
 #include "suites/cli/help.h"
 #include "suites/cli/output_files.h"
 #include "suites/harness/suite.h"
@@ -81,13 +82,13 @@ void addFileOptions(CLI::App& app, Options& o) {
          [edit](const std::string& text) {
            const bool place = text.starts_with("eye=") || text.starts_with("at=") ||
                               text.starts_with("fov=");
-           edit("camera:" + (place ? text : "show=" + encodedName(text)));
+           edit("camera:" + (place ? text : "show=" + base::percentEncoded(text)));
          },
          "one of the scene's cameras, or look from one world point at another")
       ->type_name("NAME|INDEX|eye=X,Y,Z,at=X,Y,Z[,fov=DEG]");
   app.add_option_function<std::string>(
          "--gltf-scene",
-         [edit](const std::string& text) { edit("file:scene=" + encodedName(text)); },
+         [edit](const std::string& text) { edit("file:scene=" + base::percentEncoded(text)); },
          "which scene of a glTF file [the one that it names]")
       ->type_name("NAME|INDEX");
   app.add_flag_function(
@@ -242,8 +243,9 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   addExposure(*truth, o);
   truth->add_flag("!--no-cache", o.cache, "trace anew, and keep nothing");
   truth->add_flag("--quiet", o.quiet, "no progress line");
-  CLI::App* cache = app.add_subcommand("cache", "say how many truths are kept on disk, and where");
-  cache->add_flag("--clear", o.clearCache, "remove them");
+  CLI::App* cache = app.add_subcommand("cache", "say how many truths and unfinished runs are kept on disk, and where");
+  cache->add_flag("--clear", o.clearCache, "remove them: the truths, and journals of runs that ended early (not those beside a "
+                  "--json file, nor of runs under way)");
 
   CLI::App* doctor =
       app.add_subcommand("doctor", "list devices, drivers, features and timer facts");

@@ -1,8 +1,8 @@
 // Versions and extensions: what is read, what may be left out, what is refused.
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "base/number.h"
 #include "suites/scenes/gltf_check.h"
 
 namespace sb {
@@ -61,15 +61,14 @@ const json& list(const GltfSource& source, const char* key) {
 // {major, minor} of "2.0"; fails on other forms.
 std::array<int, 2> version(const GltfSource& source, const std::string& field,
                            const std::string& text) {
-  std::array<int, 2> numbers{};
-  const char *begin = text.data(), *end = begin + text.size();
-  const auto [dot, error] = std::from_chars(begin, end, numbers[0]);
-  const bool point = error == std::errc() && dot != end && *dot == '.' && *begin != '-';
-  const auto rest = point ? std::from_chars(dot + 1, end, numbers[1])
-                          : std::from_chars_result{begin, std::errc::invalid_argument};
-  if (rest.ec != std::errc() || rest.ptr != end || numbers[1] < 0)
+  const size_t dot = std::min(text.find('.'), text.size());
+  const std::string_view all = text;
+  const auto part = [](std::string_view digits) { return base::readWhole(digits, 0, 1 << 30); };
+  const auto major = part(all.substr(0, dot));
+  const auto minor = part(all.substr(std::min(dot + 1, text.size())));
+  if (!major || !minor)
     source.fail(field, "is " + shown(text) + ", expected a version like \"2.0\"");
-  return numbers;
+  return {int(*major), int(*minor)};
 }
 
 }  // namespace
@@ -110,8 +109,8 @@ void checkExtensions(GltfSource& source) {
     const std::string field = "extensionsRequired[" + std::to_string(i) + "]";
     if (name == "KHR_texture_basisu")
       source.fail(field, "is " + shown(name) +
-                             ": KTX2 textures are not supported, expected PNG, "
-                             "JPEG or WebP");
+                             ": KTX2 textures are not supported, no packaged library reads them; "
+                             "convert them to PNG, JPEG or WebP (gltf-transform ktxdecompress)");
     if (!isOneOf(kHarmless, name))
       source.fail(field, "is " + shown(name) + ", an extension that is not supported");
     source.warn("extension " + name +

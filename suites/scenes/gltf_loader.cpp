@@ -1,12 +1,13 @@
+#include "suites/scenes/clean_names.h"
 #include "suites/scenes/gltf_loader.h"
 
 #include <new>
 
+#include "base/text.h"
 #include "suites/scenes/framing.h"
 #include "suites/scenes/gltf_check.h"
 #include "suites/scenes/gltf_compression.h"
 #include "suites/scenes/gltf_context.h"
-#include "suites/scenes/text.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -62,7 +63,7 @@ Scene loadGltf(const std::filesystem::path& path, const GltfOptions& options) tr
   throw InputError(path.string(), "needs more memory than there is");
 } catch (const std::exception& error) {
   // Nothing is known to get here; a file must never end the program all the same.
-  throw InputError(path.string(), "cannot be read: " + shortened(printable(error.what()), 150));
+  throw InputError(path.string(), "cannot be read: " + base::shortened(base::printable(error.what()), 150));
 }
 
 }  // namespace sb

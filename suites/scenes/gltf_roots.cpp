@@ -1,9 +1,10 @@
 // The chosen scene and the transforms of its nodes.
 #include "suites/scenes/gltf_roots.h"
 
-#include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "base/number.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -98,12 +99,10 @@ size_t NodeTree::chosenScene() {
     if (scenes[i].name == wanted) return i;
     names.push_back(scenes[i].name);
   }
-  size_t index = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  const bool whole = error == std::errc() && end == wanted.data() + wanted.size();
-  if (whole && index < scenes.size()) return index;
+  const auto index = base::readWhole(wanted, 0, std::numeric_limits<uint64_t>::max());
+  if (index && *index < scenes.size()) return size_t(*index);
   m_context.fail("scenes",
-                 (whole ? "there is no number " + wanted : unknownName("scene", wanted, names)) +
+                 (index ? "there is no number " + wanted : unknownName("scene", wanted, names)) +
                      " (--gltf-scene), the file holds " + std::to_string(scenes.size()));
 }
 

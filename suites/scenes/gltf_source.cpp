@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/text.h"
 #include "suites/scenes/file_io.h"
-#include "suites/scenes/text.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -126,13 +126,14 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
 
 void GltfSource::fail(const std::string& field, const std::string& what) const {
   // Each part keeps its share: a path or a name of a thousand letters must not hide the reason.
-  const std::string where = shortened(printable(path.string()), 120) + ": " +
-                            shortened(printable(field), 100);
-  throw InputError(where, shortened(printable(what), kMaxErrorBytes - where.size() - 2));
+  const std::string where = base::shortened(base::printable(path.string()), 120) + ": " +
+                            base::shortened(base::printable(field), 100);
+  throw InputError(where,
+                   base::shortened(base::printable(what), kMaxErrorBytes - where.size() - 2));
 }
 
 void GltfSource::warn(const std::string& what) {
-  const std::string text = shortened(printable(what), kMaxErrorBytes);
+  const std::string text = base::shortened(base::printable(what), kMaxErrorBytes);
   if (warned.contains(text)) return;
   if (warnings.size() >= kMaxWarnings) {
     ++unsaid;
@@ -154,12 +155,16 @@ void GltfSource::take(const std::string& field, size_t count, size_t each) {
 
 std::string shown(const json& value) {
   // Long strings may hold megabytes of base64; bytes that are no UTF-8 must not throw here.
-  std::string text = value.is_array() && value.size() > 16
-                         ? "an array of " + std::to_string(value.size())
-                     : value.is_object() && value.size() > 4 ? "an object"
-                     : value.is_string() && value.get_ref<const std::string&>().size() > 60
-                         ? "\"" + printable(shortened(value.get_ref<const std::string&>(), 60)) + "\""
-                         : value.dump(-1, ' ', true, json::error_handler_t::replace);
+  std::string text =
+      value.is_array() && value.size() > 16   ? "an array of " + std::to_string(value.size())
+      : value.is_object() && value.size() > 4 ? "an object"
+      : value.is_string() && value.get_ref<const std::string&>().size() > 60
+          ? "\"" +
+                base::shortened(
+                    base::printable(base::shortened(value.get_ref<const std::string&>(), 240)),
+                    60) +
+                "\""
+          : value.dump(-1, ' ', true, json::error_handler_t::replace);
   if (text.size() > 80) text = text.substr(0, 77) + "...";
   return text;
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "base/percent.h"
 #include "suites/scenes/file_io.h"
 #include "suites/scenes/gltf_source.h"
 #include "techniques/common/error.h"
@@ -36,31 +37,14 @@ std::optional<std::vector<uint8_t>> decodeBase64(std::string_view text) {
   return bytes;
 }
 
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 std::string percentDecoded(const GltfSource& source, const std::string& field,
                            const std::string& uri, bool zeroAllowed) {
-  std::string text;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      text += uri[i];
-      continue;
-    }
-    const int high = i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-    const int low = i + 2 < uri.size() ? hexDigit(uri[i + 2]) : -1;
-    if (high < 0 || low < 0)
-      source.fail(field, shown(uri) + " is not a valid uri: '%' needs two hexadecimal digits");
-    text += char(high * 16 + low);
-    i += 2;
-  }
-  if (!zeroAllowed && text.find('\0') != std::string::npos)
+  const auto text = base::percentDecoded(uri);
+  if (!text)
+    source.fail(field, shown(uri) + " is not a valid uri: '%' needs two hexadecimal digits");
+  if (!zeroAllowed && text->find('\0') != std::string::npos)
     source.fail(field, shown(uri) + " is not a valid uri: it holds a zero byte");
-  return text;
+  return *text;
 }
 
 // A file of others must not be able to name what it likes on this machine: neither by "..", encoded
@@ -79,8 +63,9 @@ void refuseOutside(const GltfSource& source, const std::string& field, const std
   const fs::path parent = source.path.parent_path();
   if (within(fs::weakly_canonical(parent.empty() ? fs::path(".") : parent, error))) return;
   if (within(fs::weakly_canonical(source.path, error).parent_path())) return;
-  source.fail(field, shown(uri) + " lies outside the file's folder, expected a file within it "
-                                  "(--allow-outside reads it)");
+  source.fail(field, shown(uri) +
+                         " lies outside the file's folder, expected a file within it "
+                         "(--allow-outside reads it)");
 }
 
 }  // namespace
@@ -95,8 +80,9 @@ std::filesystem::path uriPath(const GltfSource& source, const std::string& field
   const std::filesystem::path path = source.path.parent_path() / named;
   if (source.options.allowOutside) return path;
   if (named.is_absolute())
-    source.fail(field, shown(uri) + " is an absolute path, expected one within the file's folder "
-                                    "(--allow-outside reads it)");
+    source.fail(field, shown(uri) +
+                           " is an absolute path, expected one within the file's folder "
+                           "(--allow-outside reads it)");
   refuseOutside(source, field, uri, path);
   return path;
 }
@@ -150,8 +136,7 @@ std::vector<uint8_t> usedBuffers(const GltfSource& source, size_t count) {
   return used;
 }
 
-std::vector<uint8_t> bufferBytes(GltfSource& source, const std::string& field,
-                                 const json& buffer) {
+std::vector<uint8_t> bufferBytes(GltfSource& source, const std::string& field, const json& buffer) {
   std::string mimeType;
   std::vector<uint8_t> bytes = readUri(source, field + ".uri", buffer["uri"], mimeType);
   if (!mimeType.empty() && mimeType != "application/octet-stream" &&

@@ -26,6 +26,13 @@ struct SceneEdit {
   std::vector<std::pair<std::string, std::vector<double>>> values;  ///< in their documented order
   /// Values that are names, percent-encoded where a spec could not hold them.
   std::vector<std::pair<std::string, std::string>> names;
+
+  /// Numbers of a key; null where it is not given.
+  const std::vector<double>* find(std::string_view key) const;
+  /// The first name, decoded.
+  std::string name() const;
+  /// For errors.
+  std::string where() const;
 };
 
 /// What stands behind '?'. Throws InputError naming the edit and the value.
@@ -38,7 +45,5 @@ void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits);
 /// What the edits say about reading a file. Throws InputError when `isFile` is false and a scene of a
 /// file is asked for.
 GltfOptions fileOptions(const std::vector<SceneEdit>& edits, bool isFile);
-/// A name as it stands in an edit: everything but letters, digits, '_', '-', '.' as %XX.
-std::string encodedName(std::string_view name);
 
 }  // namespace sb

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "suites/scenes/gltf_export.h"
 #include "suites/scenes/gltf_loader.h"
-#include "suites/scenes/text.h"
 #include "techniques/common/error.h"
 
 namespace sb::fuzz {
@@ -44,7 +44,7 @@ std::string sceneFault(const Scene& scene) {
     if (i.mesh >= scene.meshes.size()) return "an instance's mesh is not there";
     for (int k = 0; k < 16; ++k)
       if (!std::isfinite(float(i.toWorld[k / 4][k % 4]))) return "a transform is not finite";
-    if (i.name != printable(i.name)) return "a name is not printable";
+    if (i.name != base::printable(i.name)) return "a name is not printable";
   }
   for (const Material& m : scene.materials)
     if (!std::isfinite(glm::dot(m.baseColor, glm::vec4(1))) ||
@@ -61,7 +61,7 @@ std::string sceneFault(const Scene& scene) {
   for (const Image& i : scene.images)
     if (i.rgba.size() != size_t(i.width) * i.height * 4) return "an image of another size";
   for (const std::string& w : scene.warnings)
-    if (w.size() > 300 || w != printable(w)) return "a warning unfit for a terminal: " + w;
+    if (w.size() > 300 || w != base::printable(w)) return "a warning unfit for a terminal: " + w;
   return "";
 }
 
@@ -98,7 +98,7 @@ Verdict judge(const std::filesystem::path& path, const std::filesystem::path& ex
   } catch (const InputError& e) {
     const std::string text = e.what();
     if (text.size() > 300) return {Outcome::Fault, "an error of " + std::to_string(text.size())};
-    if (text != printable(text)) return {Outcome::Fault, "an error unfit for a terminal"};
+    if (text != base::printable(text)) return {Outcome::Fault, "an error unfit for a terminal"};
     for (const char* vague : {"cannot be read: ", "tinygltf: "})
       if (text.find(vague) != text.npos) return {Outcome::Fault, "names no field: " + text};
     return {Outcome::Refused, ""};

@@ -38,6 +38,14 @@ TEST_F(GltfBroken, VersionsAndExtensions) {
     gltf["extensionsRequired"] = {name};
     expectError(gltf, {"extensionsRequired[0]", name, "not supported"});
   }
+  expectError(gltf, {"KHR_texture_basisu", "no packaged library reads them",
+                     "convert them to PNG, JPEG or WebP (gltf-transform ktxdecompress)"});
+  gltf.erase("extensionsRequired");
+  for (const char* version :
+       {"2", "2.", ".0", "2.0.0", "2.x", "-2.0", "2.-1", "+2.0", " 2.0", "99999999999.0"}) {
+    gltf["asset"]["version"] = version;
+    expectError(gltf, {"asset.version", version});
+  }
 }
 
 TEST_F(GltfBroken, TypesAndReferences) {

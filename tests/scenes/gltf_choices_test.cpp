@@ -2,6 +2,7 @@
 // light or background gets.
 #include <cmath>
 
+#include "base/percent.h"
 #include "suites/scenes/bounds.h"
 #include "suites/scenes/framing.h"
 #include "suites/scenes/procedural.h"
@@ -43,7 +44,7 @@ TEST_F(GltfChoices, CamerasByNameAndNumber) {
   // Any name, also one that would end the edit.
   json odd = gltf;
   odd["cameras"][1]["name"] = "a;b,c=d?e:%";
-  const std::string edit = "camera:show=" + encodedName("a;b,c=d?e:%");
+  const std::string edit = "camera:show=" + base::percentEncoded("a;b,c=d?e:%");
   EXPECT_EQ(make(odd, edit).camera().orthographic, true);
   EXPECT_EQ(canonicalEdits(parseEdits(edit)), edit);
 }
