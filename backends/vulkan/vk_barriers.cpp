@@ -1,24 +1,9 @@
 #include "backends/vulkan/vk_barriers.h"
 
-#include <algorithm>
+#include "backends/vulkan/vk_barrier_scopes.h"
 
 namespace vulkan {
 namespace {
-
-constexpr VkPipelineStageFlags2 kAllStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-constexpr VkAccessFlags2 kAllAccess = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-constexpr VkAccessFlags2 kTransferAccess =
-    VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
-
-VkMemoryBarrier2 memoryBarrier(VkPipelineStageFlags2 from, VkAccessFlags2 fromAccess,
-                               VkPipelineStageFlags2 to, VkAccessFlags2 toAccess) {
-  return {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-          .srcStageMask = from,
-          .srcAccessMask = fromAccess,
-          .dstStageMask = to,
-          .dstAccessMask = toAccess};
-}
 
 bool sameButRange(const VkImageMemoryBarrier2& a, const VkImageMemoryBarrier2& b) {
   return a.image == b.image && a.oldLayout == b.oldLayout && a.newLayout == b.newLayout &&
@@ -26,7 +11,8 @@ bool sameButRange(const VkImageMemoryBarrier2& a, const VkImageMemoryBarrier2& b
          a.dstStageMask == b.dstStageMask && a.dstAccessMask == b.dstAccessMask;
 }
 
-/// Wants come layer by layer within a mip: first layers join, then mips of equal layers.
+}  // namespace
+
 void coalesce(std::vector<VkImageMemoryBarrier2>& barriers) {
   size_t kept = 0;
   for (size_t i = 1; i < barriers.size(); ++i) {
@@ -45,8 +31,6 @@ void coalesce(std::vector<VkImageMemoryBarrier2>& barriers) {
   }
   if (!barriers.empty()) barriers.resize(kept + 1);
 }
-
-}  // namespace
 
 void Barriers::add(AccessState& state, const Want& want) {
   if (state.batch == m_batch) {
@@ -180,124 +164,6 @@ void Barriers::initialise(VkCommandBuffer commands) {
   if (m_inFrame) m_initialised.insert(m_initialised.end(), m_new.begin(), m_new.end());
   m_new.clear();
   emit(commands, {}, {}, images);
-}
-
-void Barriers::beginTransfer(VkCommandBuffer commands, Buffer* first, Buffer* second) {
-  initialise(commands);
-  const bool touched =
-      std::ranges::any_of(m_touched, [&](const Buffer* b) { return b == first || b == second; });
-  if (!m_transferring || touched) {
-    const VkMemoryBarrier2 barrier =
-        m_transferring
-            ? memoryBarrier(kTransfer, kTransferAccess, kTransfer, kTransferAccess)
-            : memoryBarrier(kAllStages, VK_ACCESS_2_MEMORY_WRITE_BIT, kTransfer, kTransferAccess);
-    emit(commands, {&barrier, 1}, {}, {});
-    m_touched.clear();
-    m_transferring = true;
-  }
-  for (Buffer* buffer : {first, second})
-    if (buffer) {
-      m_touched.push_back(buffer);
-      remember(*buffer);
-      buffer->state = {};
-    }
-}
-
-void Barriers::endTransfers(VkCommandBuffer commands) {
-  if (!m_transferring) return;
-  const VkMemoryBarrier2 barrier =
-      memoryBarrier(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                    kAllStages | VK_PIPELINE_STAGE_2_HOST_BIT, kAllAccess);
-  emit(commands, {&barrier, 1}, {}, {});
-  m_touched.clear();
-  m_transferring = false;
-}
-
-void Barriers::toTransfer(VkCommandBuffer commands, Texture& texture, const ViewRange& range,
-                          VkImageLayout layout) {
-  // The parts may rest in different layouts, one barrier each.
-  for (uint32_t mip = range.baseMip; mip < range.baseMip + range.mipCount; ++mip)
-    for (uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layerCount; ++layer) {
-      const Scope scope = {kAllStages, VK_ACCESS_2_MEMORY_WRITE_BIT, kTransfer, kTransferAccess};
-      m_images.push_back(
-          image(texture, {mip, 1, layer, 1}, scope, texture.state(mip, layer).layout, layout));
-    }
-  coalesce(m_images);
-  emit(commands, {}, {}, m_images);
-  m_images.clear();
-  for (uint32_t mip = range.baseMip; mip < range.baseMip + range.mipCount; ++mip)
-    for (uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layerCount; ++layer) {
-      remember(texture, texture.state(mip, layer));
-      texture.state(mip, layer) = {};
-      texture.state(mip, layer).layout = layout;
-    }
-}
-
-void Barriers::toRest(VkCommandBuffer commands, Texture& texture, const ViewRange& range) {
-  const Scope scope = {kTransfer, kTransferAccess, kAllStages, kAllAccess};
-  const VkImageLayout from = texture.state(range.baseMip, range.baseLayer).layout;
-  const VkImageMemoryBarrier2 barrier = image(texture, range, scope, from, texture.restLayout);
-  emit(commands, {}, {}, {&barrier, 1});
-  for (uint32_t mip = range.baseMip; mip < range.baseMip + range.mipCount; ++mip)
-    for (uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layerCount; ++layer)
-      texture.state(mip, layer).layout = texture.restLayout;
-}
-
-void Barriers::remember(Buffer& buffer) {
-  if (!m_inFrame) return;
-  m_changes.push_back({.buffer = &buffer});
-  static_cast<AccessState&>(m_changes.back().before) = buffer.state;
-}
-
-void Barriers::remember(Texture& texture, SubresourceState& part) {
-  if (m_inFrame) m_changes.push_back({.texture = &texture, .part = &part, .before = part});
-}
-
-void Barriers::forget(const Texture& texture) {
-  std::erase(m_new, &texture);
-  std::erase(m_initialised, &texture);
-  std::erase_if(m_changes, [&](const Change& c) { return c.texture == &texture; });
-}
-
-void Barriers::forget(const Buffer& buffer) {
-  std::erase(m_touched, &buffer);
-  std::erase_if(m_changes, [&](const Change& c) { return c.buffer == &buffer; });
-}
-
-void Barriers::beginFrame() {
-  m_inFrame = true;
-  m_changes.clear();
-  m_initialised.clear();
-}
-
-void Barriers::endFrame() { m_inFrame = false; }
-
-void Barriers::abandonFrame() {
-  m_inFrame = false;
-  for (auto change = m_changes.rbegin(); change != m_changes.rend(); ++change) {
-    if (change->buffer)
-      change->buffer->state = change->before;
-    else
-      *change->part = change->before;
-  }
-  // Their layouts were set after they were made in this frame: they are as new as before.
-  for (Texture* texture : m_initialised) {
-    for (SubresourceState& state : texture->states) state = {};
-    m_new.push_back(texture);
-  }
-  m_changes.clear();
-  m_initialised.clear();
-  m_wants.clear();
-  m_buffers.clear();
-  m_images.clear();
-  m_touched.clear();
-  m_transferring = false;
-  ++m_batch;
-}
-
-void Barriers::full(VkCommandBuffer commands) {
-  const VkMemoryBarrier2 barrier = memoryBarrier(kAllStages, kAllAccess, kAllStages, kAllAccess);
-  emit(commands, {&barrier, 1}, {}, {});
 }
 
 void Barriers::emit(VkCommandBuffer commands, std::span<const VkMemoryBarrier2> memory,
