@@ -13,6 +13,7 @@
 #include "shaders/common/shared_slots.h"
 #include "techniques/common/coloured_layers.h"
 #include "techniques/common/pass_queries.h"
+#include "techniques/common/screen_targets.h"
 
 namespace sb {
 namespace {
@@ -26,13 +27,6 @@ constexpr rhi::BlendState kMax = {.enabled = true,
                                   .colorOp = rhi::BlendOp::Max,
                                   .dstAlpha = rhi::BlendFactor::One,
                                   .alphaOp = rhi::BlendOp::Max};
-constexpr rhi::BlendState kAdd = {
-    .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
-constexpr rhi::BlendState kMultiply = {.enabled = true,
-                                       .srcColor = rhi::BlendFactor::Zero,
-                                       .dstColor = rhi::BlendFactor::SrcColor,
-                                       .srcAlpha = rhi::BlendFactor::Zero,
-                                       .dstAlpha = rhi::BlendFactor::One};
 // Both sides keep their transmittance in alpha.
 constexpr rhi::BlendState kUnder = {.enabled = true,
                                     .srcColor = rhi::BlendFactor::DstAlpha,
@@ -64,8 +58,9 @@ class DualDepthPeeling final : public TransparencyTechnique {
                     {.format = CameraPass::kColorFormat, .blend = kUnder},
                     {.format = CameraPass::kColorFormat, .blend = kOver}};
     if (m_coloured) {
-      const rhi::ColorTargetState light{.format = CameraPass::kColorFormat, .blend = kAdd};
-      const rhi::ColorTargetState weight{.format = CameraPass::kColorFormat, .blend = kMultiply};
+      const rhi::ColorTargetState light{.format = CameraPass::kColorFormat, .blend = kBlendAdd};
+      const rhi::ColorTargetState weight{.format = CameraPass::kColorFormat,
+                                         .blend = kBlendMultiply};
       peel.targets = {peel.targets.front(), light, weight, light, weight};
       m_layers = ColouredLayers(context, camera);
     }
@@ -115,14 +110,8 @@ class DualDepthPeeling final : public TransparencyTechnique {
     const rhi::FormatCaps caps = context.device.formatCaps(kBoundsFormat);
     if (!caps.colorTarget || !caps.blend)
       throw rhi::Error("DualDepthPeeling", "", "the device cannot blend into RG32F");
-    const auto [width, height] = context.view.size();
-    auto texture = [&](const char* label, rhi::Format format) {
-      return context.device.createTexture(
-          {.label = label,
-           .format = format,
-           .width = width,
-           .height = height,
-           .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled});
+    const auto texture = [&](const char* label, rhi::Format format) {
+      return screenTarget(context, label, format);
     };
     for (rhi::Texture& bounds : m_bounds) bounds = texture("dual peeling bounds", kBoundsFormat);
     m_front = texture("dual peeling front layers", CameraPass::kColorFormat);
@@ -171,8 +160,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
       const rhi::Binding binding = rhi::textureAt(TEXTURE_TRANSPARENCY + 2, bounds, m_sampler);
       const rhi::ResourceUse read = rhi::use(bounds, rhi::Access::Sampled);
       m_layers.composite(frame, camera, {&read, 1}, [&](rhi::CommandList& commands) {
-        if (m_byQuery)
-          counted(commands, [&] { drawFullscreen(commands, m_left, {&binding, 1}); });
+        if (m_byQuery) counted(commands, [&] { drawFullscreen(commands, m_left, {&binding, 1}); });
       });
       return;
     }

@@ -1,29 +1,22 @@
 #include "techniques/common/coloured_layers.h"
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/common/screen_targets.h"
 
 namespace sb {
 
 ColouredLayers::ColouredLayers(const Context& context, const CameraPass& camera) {
-  const auto [width, height] = context.view.size();
-  auto texture = [&](const char* label) {
-    return context.device.createTexture(
-        {.label = label,
-         .format = CameraPass::kColorFormat,
-         .width = width,
-         .height = height,
-         .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled});
+  const auto texture = [&](const char* label) {
+    return screenTarget(context, label, CameraPass::kColorFormat);
   };
   m_color = texture("coloured layers");
   for (rhi::Texture& through : m_through) through = texture("coloured transmittance");
   m_sampler =
       context.device.createSampler({.label = "coloured layers", .filter = rhi::Filter::Nearest});
 
-  const rhi::BlendState add{
-      .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
   rhi::GraphicsPipelineDesc under = camera.compositePipeline("coloured_layers/under.frag");
-  under.targets = {{.format = CameraPass::kColorFormat, .blend = add},
-                   {.format = CameraPass::kColorFormat, .blend = add}};
+  under.targets = {{.format = CameraPass::kColorFormat, .blend = kBlendAdd},
+                   {.format = CameraPass::kColorFormat, .blend = kBlendAdd}};
   under.constants = {{32, 0}};
   m_under = context.pipelines.get(under);
   under.constants = {{32, 1}};

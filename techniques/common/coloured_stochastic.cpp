@@ -1,6 +1,7 @@
 #include "techniques/common/coloured_stochastic.h"
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/common/screen_targets.h"
 
 namespace sb {
 namespace {
@@ -13,13 +14,6 @@ constexpr rhi::BlendState kMin = {.enabled = true,
                                   .colorOp = rhi::BlendOp::Min,
                                   .dstAlpha = rhi::BlendFactor::One,
                                   .alphaOp = rhi::BlendOp::Min};
-constexpr rhi::BlendState kAdd = {
-    .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
-constexpr rhi::BlendState kMultiply = {.enabled = true,
-                                       .srcColor = rhi::BlendFactor::Zero,
-                                       .dstColor = rhi::BlendFactor::SrcColor,
-                                       .srcAlpha = rhi::BlendFactor::Zero,
-                                       .dstAlpha = rhi::BlendFactor::One};
 
 }  // namespace
 
@@ -40,14 +34,8 @@ void ColouredStochastic::createTargets(const Context& context) {
   const rhi::FormatCaps caps = context.device.formatCaps(kExact);
   if (!caps.colorTarget || !caps.blend)
     throw rhi::Error("StochasticTransparency", "", "the device cannot blend into RGBA32F");
-  const auto [width, height] = context.view.size();
-  auto texture = [&](const char* label, rhi::Format format) {
-    return context.device.createTexture(
-        {.label = label,
-         .format = format,
-         .width = width,
-         .height = height,
-         .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled});
+  const auto texture = [&](const char* label, rhi::Format format) {
+    return screenTarget(context, label, format);
   };
   for (uint32_t s = 0; s < m_samples; ++s)
     m_depths[s] = texture("stochastic depths by channel", kExact);
@@ -69,7 +57,7 @@ void ColouredStochastic::createPipelines(const Context& context, const CameraPas
   light.constants.push_back({32, m_samples});
   light.depth = {};
   light.depthFormat = rhi::Format::Undefined;
-  light.targets.assign(2, {.format = CameraPass::kColorFormat, .blend = kAdd});
+  light.targets.assign(2, {.format = CameraPass::kColorFormat, .blend = kBlendAdd});
   m_lightPass = context.pipelines.get(light);
 
   rhi::GraphicsPipelineDesc composite =
@@ -79,7 +67,7 @@ void ColouredStochastic::createPipelines(const Context& context, const CameraPas
   if (m_basic) return;
   rhi::GraphicsPipelineDesc total =
       camera.unshadedPipeline("stochastic_transparency/coloured/total.frag");
-  total.targets = {{.format = kExact, .blend = kMultiply}};
+  total.targets = {{.format = kExact, .blend = kBlendMultiply}};
   m_totalPass = context.pipelines.get(total);
 }
 
@@ -87,10 +75,9 @@ void ColouredStochastic::record(Frame& frame, CameraPass& camera) {
   std::vector<rhi::ResourceUse> reads = {rhi::use(camera.depth(), rhi::Access::Sampled)};
   const auto surfaces = [&](const char* label, std::span<const rhi::ColorAttachment> colors,
                             rhi::PipelineId pipeline, DrawList& draws) {
-    camera.surfacePass(frame, {.label = label, .colors = colors, .reads = reads},
-                       [&](rhi::CommandList& commands) {
-                         draws.draw(commands, pipeline, camera.translucent());
-                       });
+    camera.surfacePass(
+        frame, {.label = label, .colors = colors, .reads = reads},
+        [&](rhi::CommandList& commands) { draws.draw(commands, pipeline, camera.translucent()); });
   };
   if (!m_basic) {
     const rhi::ColorAttachment total{.view = {.texture = m_total}, .clear = {1, 1, 1, 1}};
