@@ -1,5 +1,6 @@
 // fuzz_gltf [--seconds N] [--inputs N] [--seed S] [--corpus DIR] [--keep DIR] [--write-corpus DIR]
-// Loads changed files until the time or the number is spent; ends with 1 on the first ten faults,
+// Loads changed files until the time or the number is spent, or a signal asks for what was done so
+// far; ends with 1 on the first ten faults,
 // on a crash, on an input that takes longer than ten seconds, and when memory passes 3 GiB. What
 // fell over lies in the --keep folder [fuzz-faults].
 #include <signal.h>
@@ -34,6 +35,10 @@ void onSignal(int number) {
   (void)!write(2, "\n", 1);
   _exit(number == SIGALRM ? 3 : 4);
 }
+
+volatile sig_atomic_t stopped = 0;
+
+void onStop(int) { stopped = 1; }
 
 struct Settings {
   double seconds = 0;
@@ -77,6 +82,7 @@ std::vector<std::pair<std::string, std::string>> builtFiles() {
           {"draco", dracoFile().dump()},
           {"webp", webpFile().dump()},
           {"textured", textured.dump()},
+          {"binary", sb::fuzz::asGlb(textured.dump())},
           {"sparse", sparse.dump()},
           {"smoke", smoke.dump()}};
 }
@@ -101,6 +107,7 @@ std::vector<std::string> readCorpus(const fs::path& folder) {
 void guard() {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM})
     signal(number, onSignal);
+  for (const int number : {SIGINT, SIGTERM}) signal(number, onStop);
 #if !defined(__SANITIZE_ADDRESS__)
   const rlimit limit{size_t(3) << 30, size_t(3) << 30};
   setrlimit(RLIMIT_AS, &limit);
@@ -124,7 +131,7 @@ int run(const Settings& settings) {
   const auto since = [](auto from) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
   };
-  while ((settings.inputs == 0 || inputs < settings.inputs) &&
+  while (!stopped && (settings.inputs == 0 || inputs < settings.inputs) &&
          (settings.seconds == 0 || since(start) < settings.seconds) && faults.size() < 10) {
     const std::string input = sb::fuzz::mutated(corpus[random() % corpus.size()],
                                                 corpus[random() % corpus.size()], random);

@@ -232,4 +232,12 @@ std::string mutated(const std::string& seed, const std::string& other, Random& r
   return joined(parts);
 }
 
+std::string asGlb(const std::string& gltf) {
+  json document = json::parse(gltf);
+  json& buffer = document["buffers"][0];
+  const std::string uri = buffer["uri"];
+  buffer.erase("uri");
+  return joined({document.dump(), decoded64(uri.substr(uri.find(',') + 1)), true});
+}
+
 }  // namespace sb::fuzz

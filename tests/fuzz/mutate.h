@@ -14,4 +14,7 @@ using Random = std::mt19937_64;
 /// `seed`, changed once to a few times; parts of `other` may get into it.
 std::string mutated(const std::string& seed, const std::string& other, Random& random);
 
+/// The same file as a container: the first buffer's data uri becomes the binary chunk.
+std::string asGlb(const std::string& gltf);
+
 }  // namespace sb::fuzz
