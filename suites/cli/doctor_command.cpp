@@ -5,6 +5,7 @@
 
 #include "suites/cli/commands.h"
 #include "suites/cli/say.h"
+#include "suites/cli/vector_width.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -45,6 +46,12 @@ void printDevice(const rhi::DeviceInfo& d) {
 }  // namespace
 
 int doctorCommand(const Options& options) {
+  // Read before the platform takes a width away that no driver survives.
+  if (const std::string width = vectorWidth(); !width.empty()) {
+    const std::string why = whyNoVectorWidth(width);
+    out("WARNING: {}\n", why.empty() ? vectorWidthNote(width)
+                                     : "LP_NATIVE_VECTOR_WIDTH " + why + "; ignored here");
+  }
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});

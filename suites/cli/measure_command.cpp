@@ -20,6 +20,7 @@
 #include "suites/cli/say.h"
 #include "suites/cli/session.h"
 #include "suites/cli/stability_runs.h"
+#include "suites/cli/vector_width.h"
 #include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 
@@ -194,6 +195,10 @@ int measureCommand(const Options& given) {
   describeLibrary(run);
   run.commandLine = commandLine(options.arguments);
   run.figures = plan.figures;
+  if (const std::string width = vectorWidth(); !width.empty()) {
+    run.warnings.push_back(vectorWidthNote(width));
+    say("warning: " + run.warnings.back());
+  }
   Outputs outputs(options);
   checkScenes(plan, run);
   openBackends(options, devices, plan, run);

@@ -4,6 +4,7 @@
 #include "backends/vulkan/vk_backend.h"
 #include "reports/atomic_file.h"
 #include "suites/cli/commands.h"
+#include "suites/cli/vector_width.h"
 #include "techniques/common/error.h"
 
 namespace shadowbench_shader_blob {
@@ -25,6 +26,11 @@ std::vector<std::string> Platform::names() const {
 }
 
 Platform makePlatform(const Options& options) {
+  // Doctor tells of it and goes on; nothing is measured with a driver that may crash.
+  const std::string why = whyNoVectorWidth(vectorWidth());
+  if (!why.empty() && options.command != Command::Doctor)
+    throw InputError("LP_NATIVE_VECTOR_WIDTH", why);
+  guardVectorWidth();
   Platform platform;
   platform.owned.push_back(vulkan::makeBackend());
   platform.owned.push_back(opengl::makeBackend(opengl::ContextKind::Egl));

@@ -10,9 +10,10 @@
 #include "reports/atomic_file.h"
 #include "reports/html/html.h"
 #include "suites/cli/say.h"
+#include "suites/cli/unfinished_runs.h"
+#include "suites/cli/vector_width.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/scenes/procedural.h"
-#include "suites/truth/truth_cache.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -28,13 +29,15 @@ bool keepsJson(const Options& o) {
 fs::path ownFolder(const report::Run& run) {
   std::string stamp = run.date.substr(0, 19);
   std::erase(stamp, ':');
-  return truthCacheFolder().parent_path() / "runs" / (stamp + "-" + std::to_string(getpid()));
+  return unfinishedRunsFolder() / (stamp + "-" + std::to_string(getpid()));
 }
 
 /// A journal that holds something is somebody's results.
 void setAside(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) return;
+  if (isJournalInUse(path))
+    throw InputError("journal", "another run writes " + path.string() + " now");
   try {
     const JournalContent content = readJournal(path);
     if (content.cells.empty() && content.hardCases.empty() && content.blocks.empty()) return;
@@ -99,6 +102,7 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
                                  : "automatic"},
                 {"validation", options.validate ? "yes" : "no"},
                 {"shaders", options.shaderFolder.empty() ? "built-in" : options.shaderFolder}};
+  if (const std::string width = vectorWidth(); !width.empty()) h.settings["vector width"] = width;
   std::set<std::string> backends;
   for (const CellId& cell : cells) {
     h.cells.push_back(cellName(cell));

@@ -1,4 +1,5 @@
-// bench truth: the ray-traced reference of a scene as pictures. bench cache: the truths on disk.
+// bench truth: the ray-traced reference of a scene as pictures. bench cache: the truths on disk
+// and the runs that ended early.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,8 +9,9 @@
 #include "suites/cli/commands.h"
 #include "suites/cli/interrupt.h"
 #include "suites/cli/memory.h"
-#include "suites/cli/say.h"
 #include "suites/cli/progress.h"
+#include "suites/cli/say.h"
+#include "suites/cli/unfinished_runs.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
 #include "suites/metrics/exposure.h"
@@ -39,7 +41,8 @@ void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
                 (layer == 0 ? ".opaque" : ".layer" + std::to_string(layer)),
             picture(truth.visibility[light * kTruthLayers + layer]), 1);
   std::vector<float> edges;
-  for (const uint8_t e : truth.imageEdges) edges.insert(edges.end(), {float(e), float(e), float(e), 1});
+  for (const uint8_t e : truth.imageEdges)
+    edges.insert(edges.end(), {float(e), float(e), float(e), 1});
   report::writePng(options.outputPrefix + ".edges.png", picture(edges));
   print(options.outputPrefix + ".edges.png\n");
 }
@@ -70,11 +73,12 @@ int truthCommand(const Options& options) {
   if (!cached) {
     watchInterrupts();
     Progress progress(!options.quiet);
-    truth = Tracer(scene, id.width, id.height)
-                .trace({.width = id.width,
-                        .height = id.height,
-                        .interrupted = &interrupted(),
-                        .progress = [&](double done) { progress.update(id.scene, "trace", done); }});
+    truth =
+        Tracer(scene, id.width, id.height)
+            .trace({.width = id.width,
+                    .height = id.height,
+                    .interrupted = &interrupted(),
+                    .progress = [&](double done) { progress.update(id.scene, "trace", done); }});
     if (!truth) return interruptExitCode();
     if (options.cache) writeTruth(truthCacheFolder(), key, *truth);
   }
@@ -90,12 +94,12 @@ int cacheCommand(const Options& options) {
   const CacheUse use = options.clearCache ? clearCache(folder) : cacheUse(folder);
   print(fmt::format("{}: {} truths, {:.1f} MiB{}\n", folder.string(), use.files,
                     double(use.bytes) / (1 << 20), options.clearCache ? ", removed" : ""));
-  const auto runs = folder.parent_path() / "runs";
-  std::error_code error;
-  const auto unfinished = std::distance(std::filesystem::directory_iterator(runs, error), {});
-  if (unfinished > 0)
-    print(fmt::format("{}: {} runs that ended early (bench --resume FOLDER/run.journal)\n",
-                      runs.string(), unfinished));
+  const UnfinishedRuns runs = options.clearCache ? clearUnfinishedRuns() : unfinishedRuns();
+  const std::string where = unfinishedRunsFolder().string();
+  if (runs.ended > 0)
+    print(fmt::format("{}: {} runs that ended early{}\n", where, runs.ended,
+                      options.clearCache ? ", removed" : " (bench --resume FOLDER/run.journal)"));
+  if (runs.underWay > 0) print(fmt::format("{}: {} runs under way\n", where, runs.underWay));
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "suites/harness/journal.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,9 +30,9 @@ std::string lineOf(const Json& json) {
 }
 
 Json toJson(const JournalHeader& h) {
-  return {{"journal", kVersion},   {"arguments", h.arguments}, {"folder", h.folder},
-          {"program", h.program},  {"settings", h.settings},   {"scenes", h.scenes},
-          {"devices", h.devices},  {"cells", h.cells},         {"hard_cases", h.hardCases}};
+  return {{"journal", kVersion},  {"arguments", h.arguments}, {"folder", h.folder},
+          {"program", h.program}, {"settings", h.settings},   {"scenes", h.scenes},
+          {"devices", h.devices}, {"cells", h.cells},         {"hard_cases", h.hardCases}};
 }
 
 std::vector<std::string> textsOf(const Field& list) {
@@ -182,17 +183,35 @@ JournalContent readJournal(const std::filesystem::path& path) {
   return content;
 }
 
+bool isJournalInUse(const std::filesystem::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return false;
+  const bool used = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(file);
+  return used;
+}
+
+void Journal::lock() {
+  // A file system without locks keeps nobody out, and stops nobody.
+  if (m_file < 0 || flock(m_file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(m_file);
+  throw InputError("journal", "another run writes " + m_path.string() + " now");
+}
+
 Journal::Journal(const std::filesystem::path& path, const JournalHeader& header) : m_path(path) {
-  m_file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  m_file = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  lock();
+  // What is no regular file has nothing to cut off.
+  if (m_file >= 0) (void)!ftruncate(m_file, 0);
   if (m_file >= 0) append(lineOf(toJson(header)), true);
   if (m_file < 0 || !m_failure.empty())
     throw InputError("journal", "cannot write " + path.string() + ": " +
                                     (m_failure.empty() ? std::strerror(errno) : m_failure));
 }
 
-Journal::Journal(const std::filesystem::path& path, const JournalContent& content)
-    : m_path(path) {
+Journal::Journal(const std::filesystem::path& path, const JournalContent& content) : m_path(path) {
   m_file = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  lock();
   if (m_file < 0 || ftruncate(m_file, off_t(content.wholeBytes)) != 0)
     throw InputError("journal", "cannot write " + path.string() + ": " + std::strerror(errno));
 }

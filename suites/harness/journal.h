@@ -49,9 +49,12 @@ std::string hardCaseName(const report::StabilityRecord& record);
 /// Throws InputError naming file and line. A last line that was cut off is left out.
 JournalContent readJournal(const std::filesystem::path& path);
 
+/// Whether a run, of this process or of another, is writing it.
+bool isJournalInUse(const std::filesystem::path& path);
+
 class Journal {
  public:
-  /// Begins a journal. Throws InputError when it cannot be written.
+  /// Begins a journal. Throws InputError when it cannot be written, or another run writes it.
   Journal(const std::filesystem::path& path, const JournalHeader& header);
   /// Goes on with one.
   Journal(const std::filesystem::path& path, const JournalContent& content);
@@ -72,6 +75,8 @@ class Journal {
  private:
   /// `durable`: waits until the line is on the disk.
   void append(const std::string& line, bool durable);
+  /// Until the file is closed, however the process ends.
+  void lock();
 
   std::filesystem::path m_path;
   int m_file = -1;

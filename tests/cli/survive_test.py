@@ -135,6 +135,36 @@ class Signals(Case):
         self.assertFalse(os.path.exists(journal))
         self.assertEqual(os.listdir(os.path.dirname(os.path.dirname(journal))), [])
 
+    def test_clearing_the_cache_takes_runs_that_ended_early_and_leaves_those_under_way(self):
+        cache = {"XDG_CACHE_HOME": self.path("cache")}
+        runs = self.path("cache/shadowbench/runs")
+        killed = self.start(*RUN, "--html", "a.html")
+        self.wait_for(killed, "layers: measure")
+        self.assertIn("1 runs under way", self.ok("cache", env=cache).stdout)
+        killed.kill()
+        killed.communicate(timeout=60)
+        with open(os.path.join(runs, "notes.txt"), "w") as file:
+            file.write("somebody's")
+        self.assertIn("1 runs that ended early (bench --resume", self.ok("cache", env=cache).stdout)
+        alive = self.start(*RUN, "--html", "b.html")
+        self.wait_for(alive, "layers: measure")
+        text = self.ok("cache", "--clear", env=cache).stdout
+        self.assertIn("1 runs that ended early, removed", text)
+        self.assertIn("1 runs under way", text)
+        left = sorted(os.listdir(runs))
+        self.assertEqual((len(left), left[-1]), (2, "notes.txt"))
+        # Nor may anybody else go on with it, or write over it.
+        journal = os.path.join(runs, left[0], "run.journal")
+        before = os.path.getsize(journal)
+        result = run("--resume", journal, cwd=self.folder, env=cache)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("another run writes", result.stderr)
+        self.assertGreaterEqual(os.path.getsize(journal), before)
+        alive.kill()
+        alive.communicate(timeout=60)
+        self.ok("cache", "--clear", env=cache)
+        self.assertEqual(os.listdir(runs), ["notes.txt"])
+
     def test_a_run_of_other_settings_is_refused_with_what_differs(self):
         process = self.start(*RUN, "--json", "a.json")
         self.wait_for(process, "panes: measure")
@@ -308,6 +338,33 @@ class Inputs(Case):
         self.assertIn("--allow-skips", result.stderr)
         self.assertIn("--max-memory", result.stdout)
         self.ok(*arguments, "--allow-skips")
+
+    def test_maps_of_many_lights_that_do_not_fit_together_are_measured_apart(self):
+        with open(os.path.join(SOURCE, "tests/cli/many_lights.gltf")) as file:
+            scene = json.load(file)
+        # Four of the twenty; their maps are small, and so is the memory.
+        lights = [n for n in scene["nodes"] if "extensions" in n]
+        for node in lights[4:]:
+            del node["extensions"]
+        del scene["extensions"]["KHR_lights_punctual"]["lights"][4:]
+        with open(self.path("lights.gltf"), "w") as file:
+            json.dump(scene, file)
+        techniques = ["ShadowMap", "TranslucentShadows", "CSSM2", "CompositedTranslucent"]
+        arguments = ["--scene", self.path("lights.gltf"), "--set", "size=256", "--no-truth", *FAST,
+                     "--benchmark_repetitions=1"]
+        whole, limited = self.path("whole.json"), self.path("limited.json")
+        self.ok("--technique", ",".join(techniques), *arguments, "--json", whole)
+        sizes = [e["bytes"] for e in cells_of(whole)]
+        self.assertEqual(len(sizes), 8)
+        self.assertGreater(sum(sizes), 2 * max(sizes))
+        most = str(max(sizes) * 5 // 4 // 2**20 + 4)
+        result = run("--technique", ",".join(techniques), *arguments, "--json", limited,
+                     "--max-memory", most)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertEqual(names_of(limited), names_of(whole))
+        cells = cells_of(limited)
+        self.assertEqual([e["bytes"] for e in cells], sizes)
+        self.assertIn("together they do not fit the memory", result.stdout + result.stderr)
 
     def test_names_cannot_act_on_a_terminal_a_table_or_a_shell(self):
         scene = os.fsencode(self.path("=a\x1b[31m")) + b"\xff';x.glb"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Missing drivers, scenes exported and read again, every command of the README."""
+import filecmp
 import json
 import os
 import re
@@ -33,6 +34,42 @@ class Drivers(Case):
         self.assertIn("opengl-osmesa", text)
         self.assertIn("twice the work takes twice the time", text)
         self.assertNotIn("GPU", text)
+
+    def test_a_vector_width_of_llvmpipe_neither_corrupts_nor_mixes(self):
+        cache = {"MESA_SHADER_CACHE_DIR": self.path("cache")}
+        narrow = {**cache, "LP_NATIVE_VECTOR_WIDTH": "128"}
+        for backend in ("vulkan", "opengl"):
+            cell = ["render", "--backend", backend, "--technique", "ShadowMap", "--scene", "teapot",
+                    "--size", "64x64", "--output"]
+            # The first leaves code of the default width in the driver's cache.
+            self.ok(*cell, self.path("wide"), env=cache)
+            self.ok(*cell, self.path("narrow"), env=narrow)
+            self.assertTrue(filecmp.cmp(self.path("wide.exr"), self.path("narrow.exr"), False))
+        # Nor may a run at another width leave code behind.
+        empty = {**narrow, "MESA_SHADER_CACHE_DIR": self.path("empty")}
+        self.ok(*cell, self.path("again"), env=empty)
+        self.assertEqual([f for _, _, f in os.walk(self.path("empty")) if f], [])
+        said = "LP_NATIVE_VECTOR_WIDTH=128: software devices do not run at their default width"
+        self.assertIn(f"WARNING: {said}", self.ok("doctor", env=narrow).stdout)
+        json_file = self.path("r.json")
+        measured = self.ok("--technique", "none", "--scene", "layers", "--backend", "vulkan",
+                           "--no-truth", "--json", json_file, *FAST, env=narrow)
+        self.assertIn(said, measured.stderr)
+        with open(json_file) as file:
+            self.assertIn(said, json.load(file)["context"]["warnings"][0])
+
+    def test_a_vector_width_that_crashes_the_driver_is_refused(self):
+        for width in ("0", "64", "96", "300", "1024", "-128", "x"):
+            with self.subTest(width):
+                env = {"LP_NATIVE_VECTOR_WIDTH": width}
+                for command in (["render", "--output", self.path("x")], ["--json", self.path("x")]):
+                    result = run(*command, "--technique", "none", "--scene", "layers", env=env)
+                    self.assertEqual(result.returncode, 2, result.stderr)
+                    self.assertIn(f"LP_NATIVE_VECTOR_WIDTH: is '{width}'", result.stderr)
+                    self.assertIn("expected 128", result.stderr)
+        self.assertEqual(os.listdir(self.folder), [])
+        text = self.ok("doctor", env={"LP_NATIVE_VECTOR_WIDTH": "64"}).stdout
+        self.assertIn("WARNING: LP_NATIVE_VECTOR_WIDTH is '64'", text)
 
 
 class Scenes(Case):

@@ -107,6 +107,22 @@ TEST_F(JournalTest, TheLastLineOfACellCounts) {
   EXPECT_EQ(readJournal(m_path).cells.at(r.name).warnings, std::vector<std::string>{"second"});
 }
 
+TEST_F(JournalTest, OneRunAtATimeWritesIt) {
+  EXPECT_FALSE(isJournalInUse(m_path));
+  {
+    Journal journal(m_path, header());
+    journal.block("a", block(1));
+    EXPECT_TRUE(isJournalInUse(m_path));
+    const std::string before = text();
+    EXPECT_THROW(Journal(m_path, header()), InputError);
+    EXPECT_THROW(Journal(m_path, readJournal(m_path)), InputError);
+    EXPECT_EQ(text(), before);
+    EXPECT_TRUE(isJournalInUse(m_path));
+  }
+  EXPECT_FALSE(isJournalInUse(m_path));
+  EXPECT_NO_THROW(Journal(m_path, readJournal(m_path)));
+}
+
 // At every byte that a kill may leave as the last one.
 TEST_F(JournalTest, ALineThatWasCutOffIsLeftOutAndWrittenOver) {
   {
