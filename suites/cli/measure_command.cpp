@@ -52,7 +52,8 @@ void checkScenes(const RunPlan& plan, report::Run& run) {
     const std::string size = std::to_string(cell.width) + "x" + std::to_string(cell.height);
     if (!seen.insert(cell.scene + " " + size).second) continue;
     const Scene scene = makeScene(cell.scene);
-    requireMemory(scene, {cell.width, cell.height}, plan.settings.judge.enabled);
+    requireMemory(scene, {cell.width, cell.height},
+                  plan.settings.judge.enabled ? Made::Truth : Made::Picture);
     if (!seen.insert(cell.scene).second) continue;
     for (const std::string& warning : scene.warnings)
       run.warnings.push_back("scene " + cell.scene + ": " + warning);

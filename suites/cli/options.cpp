@@ -222,7 +222,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       ->type_name("PREFIX");
   render->add_flag(
       "--visibility", o.visibility,
-      "also the visibility buffer: per light, the first opaque surface and four layers");
+      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on four "
+      "layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
   addExposure(*render, o);
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
@@ -234,7 +235,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
 
   CLI::App* truth =
-      app.add_subcommand("truth", "write the ray-traced truth of a scene as PNG and EXR");
+      app.add_subcommand("truth", "write the ray-traced truth of a scene: its picture and "
+                                    "its edges, and the visibility of all lights in one EXR");
   addScene(*truth, o);
   addMaxMemory(*truth, o);
   truth->add_option("--output,-o", o.outputPrefix, "path without extension [truth]")
