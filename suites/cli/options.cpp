@@ -191,7 +191,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   app.add_option("--html", o.htmlFile, "write a report with pictures, one self-contained file")
       ->type_name("FILE");
   app.add_option("--suite", o.suite,
-                 "measure the cells of a suite: " + joinedNames(builtinSuites()) + ", or a file")
+                 "measure the cells of a suite: " + joinedNames(builtinSuites()) +
+                     ", or a file; stability: with --scene, the generic properties of that scene")
       ->type_name("NAME|FILE.toml");
   addNumber(
       app, "--seeds", kSeedCount, [&o](double v) { o.seeds = uint32_t(v); },
@@ -275,10 +276,6 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),
                      "found it beside a command; it is of measuring");
-  if (!o.suite.empty() && !(o.selection.techniques.empty() && o.selection.scenes.empty() &&
-                            o.selection.sets.empty() && o.selection.edits.empty()))
-    throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
-                                "itself");
   if (!o.benchmark.filter.empty()) {
     if (!o.selection.filter.empty())
       throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");
