@@ -114,7 +114,7 @@ Found perturbed(const CaseContext& context) {
   if (before.renderer().lightCount() == 0 || before.scene().instances.empty())
     return {.curve = {}, .expected = "", .leftOut = kNoLight};
   if (std::isnan(changedInside(before, before)))
-    return {.curve = {}, .expected = "", .leftOut = "visibility varies everywhere"};
+    return {.curve = {}, .expected = "", .leftOut = "no pixel has neighbours of the same visibility"};
   const double size = unitOf(*context.scene);
   for (const double x : {1e-7, 1e-6}) {
     Scene scene = *context.scene;
