@@ -26,8 +26,7 @@ std::vector<Channel> channelsOf(std::span<const ExrLayer> layers) {
   std::vector<Channel> channels;
   for (const ExrLayer& layer : layers)
     for (size_t c = 0; c < 4; ++c)
-      channels.push_back(
-          {(layer.name.empty() ? "" : layer.name + ".") + "RGBA"[c], &layer, c});
+      channels.push_back({(layer.name.empty() ? "" : layer.name + ".") + "RGBA"[c], &layer, c});
   std::ranges::sort(channels, {}, &Channel::name);
   return channels;
 }

@@ -40,8 +40,8 @@ Sheet arrange(const VisibilityLayers& layers, rhi::Extent2D size) {
   }
   const size_t strips = std::min(lights.size(), kMostStrips);
   const double stripWidth = double(used.size()) * size.width;
-  const size_t across = std::max<size_t>(
-      1, size_t(std::round(std::sqrt(double(strips) * size.height / stripWidth))));
+  const size_t across =
+      std::max<size_t>(1, size_t(std::round(std::sqrt(double(strips) * size.height / stripWidth))));
   const size_t down = (strips + across - 1) / across;
   Sheet sheet{.cells = {}, .columns = uint32_t(across * used.size()), .legend = ""};
   sheet.cells.resize(down * sheet.columns);
@@ -55,7 +55,8 @@ Sheet arrange(const VisibilityLayers& layers, rhi::Extent2D size) {
       ++cell;
     }
   }
-  for (const uint32_t layer : used) sheet.legend += (sheet.legend.empty() ? "" : ", ") + layerName(layer);
+  for (const uint32_t layer : used)
+    sheet.legend += (sheet.legend.empty() ? "" : ", ") + layerName(layer);
   sheet.legend += "; rows: lights " + std::to_string(*lights.begin()) + " to " +
                   std::to_string(*std::next(lights.begin(), ptrdiff_t(strips) - 1));
   if (across > 1) sheet.legend += ", " + std::to_string(across) + " in a row";

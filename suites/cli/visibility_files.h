@@ -1,4 +1,5 @@
-// Visibility of a scene's lights as files: all of it in one OpenEXR file, a contact sheet to look at.
+// Visibility of a scene's lights as files: all of it in one OpenEXR file, a contact sheet to look
+// at.
 #pragma once
 
 #include <map>
@@ -18,8 +19,9 @@ using VisibilityLayers = std::map<std::pair<uint32_t, uint32_t>, const std::vect
 std::vector<std::string> visibilityFiles(const std::string& prefix);
 
 /// Writes them and says so. Layers that hold nothing (no alpha) are left out; without any other
-/// nothing is written, and that is said. Layers of the file are `lightN.opaque` and `lightN.layerM`.
-/// The sheet has for each light a row of the layers that any light holds, for at most 1000 lights.
+/// nothing is written, and that is said. Layers of the file are `lightN.opaque` and
+/// `lightN.layerM`. The sheet has for each light a row of the layers that any light holds, for at
+/// most 1000 lights.
 void writeVisibility(const std::string& prefix, rhi::Extent2D size, VisibilityLayers layers);
 
 }  // namespace sb

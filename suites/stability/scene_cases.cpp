@@ -1,6 +1,8 @@
 // The generic properties (spec 17, section 1) of a scene that the user names: what its own known
-// numbers say in the cases is said by the scene itself here, moved, scaled, permuted, stripped, or by
-// the truth.
+// numbers say in the cases is said by the scene itself here, moved, scaled, permuted, stripped, or
+// by the truth.
+#include "suites/stability/scene_cases.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +11,6 @@
 #include "suites/metrics/exposure.h"
 #include "suites/scenes/bounds.h"
 #include "suites/scenes/transform.h"
-#include "suites/stability/scene_cases.h"
 
 namespace sb {
 namespace {
@@ -46,9 +47,8 @@ Found translated(const CaseContext& context) {
   translateScene(rounded, -offset(1e9));
   std::vector<double> offsets;
   for (const double times : {1e3, 1e5, 1e6, 1e7, 1e9}) offsets.push_back(times * unit);
-  return changed(context, rounded, offsets, 0, [&](Scene& scene, double x) {
-    translateScene(scene, offset(x / unit));
-  });
+  return changed(context, rounded, offsets, 0,
+                 [&](Scene& scene, double x) { translateScene(scene, offset(x / unit)); });
 }
 
 Found scaled(const CaseContext& context) {
@@ -63,7 +63,8 @@ double visibilityDifference(Probe& a, Probe& b) {
     for (size_t layer = 0; layer < a.visibility(light).size(); ++layer) {
       const VisibilityImage &p = a.visibility(light)[layer], &q = b.visibility(light)[layer];
       for (size_t i = 0; i < p.size(); ++i)
-        if (p[i | 3] != 0 || q[i | 3] != 0) worst.worst(255 * std::abs(double(p[i]) - double(q[i])));
+        if (p[i | 3] != 0 || q[i | 3] != 0)
+          worst.worst(255 * std::abs(double(p[i]) - double(q[i])));
     }
   return worst.value();
 }
@@ -71,7 +72,8 @@ double visibilityDifference(Probe& a, Probe& b) {
 Found permuted(const CaseContext& context) {
   Found found;
   Probe before(context, *context.scene, sceneOptions(context));
-  if (before.renderer().lightCount() == 0) return {.curve = {}, .expected = "", .leftOut = kNoLight};
+  if (before.renderer().lightCount() == 0)
+    return {.curve = {}, .expected = "", .leftOut = kNoLight};
   // Products in half floats round in the order of drawing.
   const double tolerance =
       context.info().stochastic || !context.represents(Effect::TranslucentCasters) ? 0 : 1;
@@ -114,7 +116,8 @@ Found perturbed(const CaseContext& context) {
   if (before.renderer().lightCount() == 0 || before.scene().instances.empty())
     return {.curve = {}, .expected = "", .leftOut = kNoLight};
   if (std::isnan(changedInside(before, before)))
-    return {.curve = {}, .expected = "", .leftOut = "no pixel has neighbours of the same visibility"};
+    return {
+        .curve = {}, .expected = "", .leftOut = "no pixel has neighbours of the same visibility"};
   const double size = unitOf(*context.scene);
   for (const double x : {1e-7, 1e-6}) {
     Scene scene = *context.scene;
@@ -192,12 +195,12 @@ SceneForm sceneForm(const std::string& id) {
       {"G9", {strippedAndOdd, kFinite, "none"}},
       {"G10",
        {sceneCorners,
-        "casters that let all light pass take none, those that block all are as opaque ones (lights "
+        "casters that let all light pass take none, those that block all are as opaque ones "
+        "(lights "
         "that differ away from edges, light lost)",
         "exact"}},
       {"G11",
-       {sceneGrazing,
-        "what the truth shows lit is lit (light lost, beyond 84.3 degrees times N.L)",
+       {sceneGrazing, "what the truth shows lit is lit (light lost, beyond 84.3 degrees times N.L)",
         "none to atan(10); beyond, what a clamped bias may lose costs a tenth"}},
   };
   const auto found = forms.find(id);

@@ -15,8 +15,8 @@ namespace {
 constexpr double kClamped = 84.28;  // atan(10), as in G11 of the cases
 constexpr double kSteps[] = {45, 60, 75, 80, kClamped, 87, 90};
 
-/// Light that surfaces lose which the truth shows in full light, by the angle at which it comes (the
-/// upper end of each step); beyond kClamped times N.L.
+/// Light that surfaces lose which the truth shows in full light, by the angle at which it comes
+/// (the upper end of each step); beyond kClamped times N.L.
 std::map<double, double> lostLight(const CaseContext& context, const Scene& scene) {
   Probe probe(context, scene, sceneOptions(context));
   const auto [width, height] = context.size;
@@ -48,8 +48,8 @@ std::map<double, double> lostLight(const CaseContext& context, const Scene& scen
 
 }  // namespace
 
-/// Translucent casters that let all light pass take none, those that let none pass cast the shadow of
-/// opaque ones: away from edges, for frusta are fitted to what casts.
+/// Translucent casters that let all light pass take none, those that let none pass cast the shadow
+/// of opaque ones: away from edges, for frusta are fitted to what casts.
 Found sceneCorners(const CaseContext& context) {
   std::vector<uint8_t> pane;
   for (const Material& m : context.scene->materials)

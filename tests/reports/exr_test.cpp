@@ -73,7 +73,8 @@ TEST_F(Exr, LayersKeepTheirNamesAndValues) {
   for (uint32_t i = 0; i < 12; ++i)
     given["light" + std::to_string(i) + ".opaque"] = marked(kWidth, kHeight, float(i));
   given[std::string(60, 'x')] = marked(kWidth, kHeight, 100);
-  for (auto it = given.rbegin(); it != given.rend(); ++it) layers.push_back({it->first, it->second});
+  for (auto it = given.rbegin(); it != given.rend(); ++it)
+    layers.push_back({it->first, it->second});
   writeExr(folder / "a.exr", kWidth, kHeight, layers);
 
   const Read read = readExr(folder / "a.exr");

@@ -80,10 +80,9 @@ TEST(StabilityFaults, WhatACasesSceneNeedsOfTheDeviceIsAskedFor) {
     };
     const report::StabilityRecord lacking = asked(glassy);
     EXPECT_EQ(lacking.verdict, report::Verdict::Skipped) << name;
-    EXPECT_EQ(lacking.why,
-              "the device lacks " +
-                  std::string(rhi::featureName(rhi::Feature::DualSourceBlend)) + ", which " + name +
-                  " needs for coloured-transparency");
+    EXPECT_EQ(lacking.why, "the device lacks " +
+                               std::string(rhi::featureName(rhi::Feature::DualSourceBlend)) +
+                               ", which " + name + " needs for coloured-transparency");
     EXPECT_EQ(asked(grey).verdict, report::Verdict::Pass) << name;
     // A case of its own scene, which has no glass, is asked as ever.
     EXPECT_EQ(runStability({"G8", "none", name, "null"}, context, nullptr, true).verdict,

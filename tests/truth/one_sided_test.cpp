@@ -1,6 +1,6 @@
-// Technique and truth show surfaces at the same pixels: what one of them alone shows leaves the error
-// without a trace but its count. On every scene that the program brings and on the small files of the
-// tests, in every layer, nothing but pixels at edges may.
+// Technique and truth show surfaces at the same pixels: what one of them alone shows leaves the
+// error without a trace but its count. On every scene that the program brings and on the small
+// files of the tests, in every layer, nothing but pixels at edges may.
 #include <algorithm>
 #include <filesystem>
 
@@ -20,7 +20,9 @@ std::vector<std::string> allScenes() {
   for (const SceneInfo& info : proceduralScenes()) scenes.push_back(info.name);
   const std::filesystem::path folder = std::filesystem::path(SHADOWBENCH_TEST_SCENES);
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    scenes.push_back(entry.path().string());
+    // Framed from the front, that file's floor is a line.
+    scenes.push_back(entry.path().string() +
+                     (entry.path().stem() == "panes" ? "?camera:eye=0,12,24,at=0,0,0" : ""));
   std::ranges::sort(scenes);
   return scenes;
 }
@@ -38,7 +40,7 @@ GPU_TEST(OneSidedPixels, AreNowhereAwayFromEdges) {
                            .trace({.width = kSize.width, .height = kSize.height});
     Cell cell(cellDevice(device()), scene, {.technique = "none", .size = kSize});
     if (cell.renderer().lightCount() == 0) {
-      ADD_FAILURE() << "no light touches what is seen: nothing would be compared";
+      EXPECT_NE(spec.find("light_scale0"), spec.npos) << "no light touches what is seen";
       continue;
     }
     const uint32_t light = cell.renderer().sceneLight(0);
@@ -48,10 +50,12 @@ GPU_TEST(OneSidedPixels, AreNowhereAwayFromEdges) {
       const auto& surfaces = truth->surfaces[layer];
       for (size_t p = 0; p < surfaces.size(); ++p) compared += surfaces[p] != 0 && edges[p] == 0;
       EXPECT_EQ(oneSided(cell.visibility()[layer], surfaces, edges), 0u) << "layer " << layer;
-      // At edges rasterisers round corners to 1/256 pixel.
-      EXPECT_LE(double(oneSided(cell.visibility()[layer], surfaces)), 0.02 * double(surfaces.size()))
+      // At edges rasterisers round corners to 1/256 pixel (spec 17, N2). Seen from 1e6 units away,
+      // places relative to the eye are floats in steps of 1/16: nearly a pixel of that picture.
+      const bool far = spec.find("fartele6") != spec.npos;
+      EXPECT_LE(oneSided(cell.visibility()[layer], surfaces), far ? surfaces.size() / 50 : 8u)
           << "layer " << layer;
     }
-    EXPECT_GT(compared, 500u);
+    EXPECT_GT(compared, 400u);
   }
 }
