@@ -8,6 +8,7 @@
 #include <set>
 
 #include "backends/null/null_backend.h"
+#include "suites/scenes/analysis.h"
 #include "suites/scenes/shapes.h"
 #include "techniques/common/registry.h"
 #include "tests/techniques/cell.h"
@@ -249,6 +250,34 @@ TEST(PlanOfPasses, GlassIsPlannedOnlyWhereTheSceneCallsForIt) {
       EXPECT_FALSE(ofPass(grey).empty());
       EXPECT_EQ(ofPass(grey), ofPass(glass)) << pass;
     }
+  }
+}
+
+TEST(PlanOfPasses, GreyScenesDoWithoutTheShadersOfGlass) {
+  rhi::ShaderLibrary grey;
+  for (const auto& [name, code] : productionShaders())
+    if (name.find("coloured") == name.npos) grey.add(code);
+  ASSERT_LT(grey.size(), productionShaders().size());
+  const auto device = null_backend::makeBackend()->open({});
+  PipelineCache pipelines(*device);
+  FrameQueries queries(*device);
+  const auto render = [&](const Scene& scene, const TransparencyEntry& transparency) {
+    const auto& shadows = shadowTechnique("CSSM2");
+    const Effects effects = analyse(scene, 1);
+    const GpuScene gpuScene(*device, scene);
+    Renderer renderer({*device, grey, pipelines, queries}, gpuScene, effects,
+                      {.technique = &shadows,
+                       .transparency = &transparency,
+                       .knobs = Knobs::resolve(knobsOf(shadows.info, transparency.info), {}),
+                       .size = {64, 64},
+                       .seed = 0,
+                       .forced = {}});
+    renderer.frame();
+  };
+  for (const TransparencyEntry* entry : transparencyTechniques()) {
+    SCOPED_TRACE(entry->info.name);
+    EXPECT_NO_THROW(render(greyScene(), *entry));
+    EXPECT_THROW(render(glassScene(), *entry), rhi::Error);
   }
 }
 
