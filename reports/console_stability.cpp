@@ -28,8 +28,7 @@ void addOnce(std::vector<T>& list, const T& value) {
 }
 
 std::string detail(const StabilityRecord& r) {
-  std::string out = fmt::format("{:<8}  {}/{}/{}: {}\n", verdictName(r.verdict), r.id, r.technique,
-                                r.backend, r.property);
+  std::string out = fmt::format("{:<8}  {}: {}\n", verdictName(r.verdict), r.name(), r.property);
   if (const StabilityPoint* p = r.worst()) {
     out += fmt::format("          found {:.3g}, allowed {:.3g}", p->value, p->tolerance);
     if (!r.parameter.empty()) out += fmt::format(" at {} = {:g}", r.parameter, p->x);
@@ -47,8 +46,9 @@ std::string toTable(const std::vector<StabilityRecord>& records) {
   std::map<std::pair<std::string, std::string>, std::vector<const StabilityRecord*>> cells;
   for (const StabilityRecord& r : records) {
     addOnce(techniques, r.technique);
-    addOnce(cases, r.id);
-    cells[{r.id, r.technique}].push_back(&r);
+    const std::string label = caseLabel(r, records);
+    addOnce(cases, label);
+    cells[{label, r.technique}].push_back(&r);
   }
   std::vector<std::vector<std::string>> rows = {{"hard case"}};
   rows.front().insert(rows.front().end(), techniques.begin(), techniques.end());

@@ -10,19 +10,26 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 }  // namespace
 
 Json stabilityToJson(const StabilityRecord& r) {
-  Json out = {{"name", r.id + "/" + r.technique + "/" + r.backend},
+  Json out = {{"name", r.name()},
               {"case", r.id},
               {"title", r.title},
               {"property", r.property},
               {"reason", r.reason},
               {"technique", r.technique},
               {"backend", r.backend},
+              {"scene", r.scene.empty() ? Json(nullptr) : Json(r.scene)},
               {"parameter", r.parameter},
               {"logarithmic", r.logarithmic},
               {"verdict", verdictName(r.verdict)},
               {"why", r.why},
               {"breaks_at", r.breaksAt ? Json(*r.breaksAt) : Json(nullptr)},
               {"curve", Json::array()}};
+  if (r.scene.empty()) {
+    out["scene_why"] = "the case has its own";
+  } else {
+    out["width"] = r.width;
+    out["height"] = r.height;
+  }
   for (const StabilityPoint& p : r.curve)
     out["curve"].push_back({{"x", p.x}, {"value", finite(p.value)}, {"tolerance", p.tolerance}});
   return out;
@@ -37,6 +44,11 @@ StabilityRecord readStability(const Field& f) {
                     .backend = f.at("backend").text(),
                     .parameter = f.at("parameter").text(),
                     .logarithmic = f.at("logarithmic").boolean()};
+  if (const auto scene = f.find("scene")) {
+    r.scene = scene->text();
+    r.width = f.at("width").integer<uint32_t>();
+    r.height = f.at("height").integer<uint32_t>();
+  }
   for (const Field& point : f.at("curve").items()) {
     const auto value = point.find("value");
     r.curve.push_back({.x = point.at("x").number(),

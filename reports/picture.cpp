@@ -1,8 +1,6 @@
 #include "reports/picture.h"
 
 #include <stb/stb_image_write.h>
-#include <tinyexr.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "reports/atomic_file.h"
+#include "reports/exr.h"
 
 namespace report {
 
@@ -42,24 +41,8 @@ void writePng(const std::filesystem::path& path, const Picture& picture, float e
 }
 
 void writeExr(const std::filesystem::path& path, const Picture& picture) {
-  std::vector<float> flipped;
-  flipped.reserve(picture.rgba.size());
-  const size_t row = size_t(picture.width) * 4;
-  for (uint32_t y = picture.height; y-- > 0;)
-    flipped.insert(flipped.end(), picture.rgba.begin() + ptrdiff_t(y * row),
-                   picture.rgba.begin() + ptrdiff_t((y + 1) * row));
-  std::filesystem::path temporary = path;
-  temporary += ".tmp" + std::to_string(getpid());
-  const char* error = nullptr;
-  if (SaveEXR(flipped.data(), int(picture.width), int(picture.height), 4, /*save_as_fp16=*/0,
-              temporary.c_str(), &error) != TINYEXR_SUCCESS) {
-    const std::string why = error ? error : "unknown reason";
-    if (error) FreeEXRErrorMessage(error);
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw std::runtime_error("cannot write " + path.string() + ": " + why);
-  }
-  std::filesystem::rename(temporary, path);
+  const ExrLayer layer{"", picture.rgba};
+  writeExr(path, picture.width, picture.height, {&layer, 1});
 }
 
 std::string contentHash(std::span<const std::byte> bytes) {

@@ -1,5 +1,6 @@
 #include "reports/stability_record.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace report {
@@ -25,6 +26,18 @@ std::string_view verdictName(Verdict verdict) {
       return "skipped";
   }
   return "";
+}
+
+std::string StabilityRecord::name() const {
+  const std::string own = id + "/" + technique + "/" + backend;
+  if (scene.empty()) return own;
+  return own + "/" + scene + "/" + std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::string caseLabel(const StabilityRecord& record, const std::vector<StabilityRecord>& records) {
+  const bool several = std::ranges::any_of(
+      records, [&](const StabilityRecord& r) { return r.scene != records.front().scene; });
+  return several && !record.scene.empty() ? record.id + " " + record.scene : record.id;
 }
 
 const StabilityPoint* StabilityRecord::worst() const {

@@ -2,6 +2,7 @@
 // what is allowed and why, and where it breaks.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ struct StabilityRecord {
   std::string reason;     ///< of the tolerance
   std::string technique;  ///< TECHNIQUE[+TRANSPARENCY]
   std::string backend;
+  std::string scene;  ///< the user's, which the property was asked of; "": the case has its own
+  uint32_t width = 0, height = 0;  ///< of its picture
   std::string parameter;     ///< of the curve, with its unit; "": one configuration
   bool logarithmic = false;  ///< the parameter spans magnitudes
   std::vector<StabilityPoint> curve;
@@ -37,9 +40,15 @@ struct StabilityRecord {
   Verdict verdict = Verdict::Pass;
   std::string why;  ///< of every verdict but Pass
 
+  /// "G1/CSSM2/vulkan", "G1/CSSM2/vulkan/scene.glb/96x64".
+  std::string name() const;
   /// The point that exceeds its tolerance most, or comes nearest to it. Null without points.
   const StabilityPoint* worst() const;
 };
+
+/// How a case is told from others of the run: by its id, and by the scene where `records` are of
+/// several.
+std::string caseLabel(const StabilityRecord& record, const std::vector<StabilityRecord>& records);
 
 /// Verdict and breaking point from the curve. `expected`: what error by construction excuses points
 /// beyond their tolerance; empty: none does.

@@ -37,6 +37,13 @@ TableEntry errorEntry(const std::optional<double>& error, const TradePoint* poin
   return over(*error, point->errorInterval.low, point->errorInterval.high);
 }
 
+TableEntry oneSidedEntry(const std::optional<VisibilityError>& error, const std::string& why) {
+  if (!error) return absentEntry(why);
+  return {.html = std::to_string(error->oneSidedInterior) + "<small>" +
+                  std::to_string(error->oneSided - error->oneSidedInterior) + " at edges</small>",
+          .value = double(error->oneSidedInterior)};
+}
+
 std::string frontText(const TradePoint* point) {
   if (!point || !point->front) return "–";
   return point->uncertain ? "perhaps" : "yes";
@@ -93,6 +100,9 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
         "RMSE of visibility, each pixel weighed by the light that it would reflect unshadowed"},
        {"Bias", true, "mean signed error of the visibility: positive is too light"},
        {"99.9 %", true, "99.9th percentile over pixels of the visibility's largest absolute error"},
+       {"One-sided px", true,
+        "pixels, over lights and layers, that show a surface to the technique or to the truth alone "
+        "and so are in no error: away from edges, where there should be none, and at edges"},
        {"Image RMSE", true, "of linear radiance"},
        {"FLIP", true, "mean LDR-FLIP of the tone-mapped pictures, 0 to 1"},
        {"MiB", true, "memory that this cell alone keeps on the device"},
@@ -125,6 +135,7 @@ std::string cellTable(const PageModel& model, const ScenePart& part) {
         errorEntry(r.visibility ? r.visibility->weighted : std::nullopt, nullptr, why),
         errorEntry(v(&ErrorStats::bias), nullptr, why),
         errorEntry(v(&ErrorStats::p999), nullptr, why),
+        oneSidedEntry(r.visibility, why),
         errorEntry(i ? std::optional(i->all.rmse) : std::nullopt, image, whyImage),
         errorEntry(i ? std::optional(i->flip) : std::nullopt, nullptr, whyImage),
         {.html = mebibytes(r.bytes), .value = double(r.bytes)},

@@ -38,6 +38,11 @@ Json figures(const ScenePart& part, const Record& r) {
     if (r.visibility->weighted)
       add("Visibility RMSE, weighed by light", figure(*r.visibility->weighted));
     add("Visibility bias", figure(r.visibility->all.bias));
+    const uint64_t inside = r.visibility->oneSidedInterior;
+    if (r.visibility->oneSided > 0)
+      add("Pixels of one side alone", std::to_string(inside) + " away from edges, " +
+                                          std::to_string(r.visibility->oneSided - inside) +
+                                          " at edges");
   }
   if (r.image) {
     add("Image RMSE", errorText(r.image->all.rmse, image));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "reports/html/sections.h"
 #include "reports/html/text.h"
@@ -112,7 +113,7 @@ std::string curveHtml(const PageModel& model, const Cases& of, CurveSet& curves)
                 model.techniqueHtml(r->technique) + " " + model.backendHtml(r->backend) +
                 " breaks at " + figure(*r->breaksAt) + "</li>";
   }
-  const std::string caption = "<strong>" + escaped(first.id) + "</strong> " + escaped(first.title) +
+  const std::string caption = "<strong>" + escaped(caseLabel(first, model.run.stability)) + "</strong> " + escaped(first.title) +
                               ": " + escaped(first.property) +
                               (breaks.empty() ? "<br>Nothing breaks in this range."
                                               : "<ul class=\"breaks\">" + breaks + "</ul>");
@@ -130,6 +131,17 @@ std::string totals(const std::vector<StabilityRecord>& all) {
       n[Verdict::Skipped], verdictHtml(Verdict::Skipped));
 }
 
+/// Whose picture the properties were asked of, when not of the cases' own.
+std::string askedScenes(const std::vector<StabilityRecord>& all) {
+  std::set<std::string> scenes;
+  for (const StabilityRecord& r : all)
+    if (!r.scene.empty())
+      scenes.insert(escaped(r.scene) + fmt::format(", {}×{}", r.width, r.height));
+  std::string out;
+  for (const std::string& scene : scenes) out += (out.empty() ? "" : "; ") + scene;
+  return out.empty() ? "" : "<p>Asked of " + out + ".</p>\n";
+}
+
 }  // namespace
 
 std::string stabilityHtml(const PageModel& model, CurveSet& curves) {
@@ -139,8 +151,9 @@ std::string stabilityHtml(const PageModel& model, CurveSet& curves) {
   std::map<std::string, Cases> byCase;
   for (const StabilityRecord& r : all) {
     if (!std::ranges::count(techniques, r.technique)) techniques.push_back(r.technique);
-    if (!byCase.contains(r.id)) ids.push_back(r.id);
-    byCase[r.id].push_back(&r);
+    const std::string label = caseLabel(r, all);
+    if (!byCase.contains(label)) ids.push_back(label);
+    byCase[label].push_back(&r);
   }
   std::vector<TableColumn> columns = {{"Hard case"}};
   for (const std::string& t : techniques) columns.push_back({t, false, "", t});
@@ -165,7 +178,7 @@ std::string stabilityHtml(const PageModel& model, CurveSet& curves) {
   std::string out =
       "<section class=\"stability\" id=\"stability\" aria-labelledby=\"stability-title\">\n"
       "<h2 id=\"stability-title\">Hard cases</h2>\n" +
-      totals(all) +
+      totals(all) + askedScenes(all) +
       tableHtml("Verdicts, the worst of all APIs; press one for what was found and allowed",
                 columns, lines, "verdicts");
   if (!plots.empty())

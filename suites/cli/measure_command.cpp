@@ -49,15 +49,21 @@ void openBackends(const Options& options, Devices& devices, RunPlan& plan, repor
 /// Reads files before anything is measured: an error in the last one should not cost minutes.
 void checkScenes(const RunPlan& plan, report::Run& run) {
   std::set<std::string> seen;
-  for (const CellId& cell : plan.cells) {
-    const std::string size = std::to_string(cell.width) + "x" + std::to_string(cell.height);
-    if (!seen.insert(cell.scene + " " + size).second) continue;
-    const Scene scene = makeScene(cell.scene);
-    requireMemory(scene, {cell.width, cell.height}, plan.settings.judge.enabled);
-    if (!seen.insert(cell.scene).second) continue;
+  const auto check = [&](const std::string& spec, rhi::Extent2D size, Made made) {
+    if (!seen.insert(spec + " " + std::to_string(size.width) + "x" + std::to_string(size.height))
+             .second)
+      return;
+    const Scene scene = makeScene(spec);
+    requireMemory(scene, size, made);
+    if (!seen.insert(spec).second) return;
     for (const std::string& warning : scene.warnings)
-      run.warnings.push_back("scene " + cell.scene + ": " + warning);
-  }
+      run.warnings.push_back("scene " + spec + ": " + warning);
+  };
+  for (const CellId& cell : plan.cells)
+    check(cell.scene, {cell.width, cell.height},
+          plan.settings.judge.enabled ? Made::Truth : Made::Picture);
+  for (const StabilityJob& job : plan.jobs)
+    if (!job.scene.empty()) check(job.scene, job.size, Made::Truth);
 }
 
 /// What is finished, by name; in the order of the plan when it is told.

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "backends/rhi/memory_limit.h"
+#include "reports/exr.h"
 #include "suites/truth/truth.h"
 #include "techniques/common/error.h"
 
@@ -32,8 +33,8 @@ uint64_t bytesOf(const Scene& scene) {
 
 /// Floats of four channels: what is read back, what it is compared with, what is written.
 constexpr uint64_t kPicture = 16;
-/// Of each light and layer: the visibility and a mask.
-constexpr uint64_t kVisibility = kPicture + 1;
+/// Of each light and layer: the visibility, a mask and what would be reflected.
+constexpr uint64_t kVisibility = kPicture + 1 + 4;
 
 void require(const std::string& what, uint64_t bytes) {
   const uint64_t most = rhi::hostMemoryLimit();
@@ -48,17 +49,22 @@ void limitMemory(const Options& options) {
   rhi::limitHostMemory(options.maxMemory.value_or(rhi::machineMemory() / 2));
 }
 
-void requireMemory(const Scene& scene, rhi::Extent2D size, bool truth) {
+void requireMemory(const Scene& scene, rhi::Extent2D size, Made made) {
   const uint64_t pixels = uint64_t(size.width) * size.height;
   const std::string shown = std::to_string(size.width) + "x" + std::to_string(size.height);
   require("the scene '" + scene.name + "'", bytesOf(scene));
   require("a picture of " + shown, 4 * kPicture * pixels);
-  if (!truth) return;
+  if (made == Made::Picture) return;
   const uint64_t layers = uint64_t(kTruthLayers) * scene.lights.size();
+  const std::string lights = std::to_string(scene.lights.size()) + " lights";
+  if (made == Made::VisibilityFiles) {
+    const uint64_t each = layers * (kPicture + report::kExrWritingBytes) + 4 * kPicture;
+    return require("the visibility of " + lights + " at " + shown, each * pixels);
+  }
   // Beside it the picture that it is compared with, and the technique's own visibility of a light.
-  const uint64_t each = layers * kVisibility + kTruthLayers * (1 + kPicture) + 4 * kPicture;
-  require("a truth of " + shown + " with " + std::to_string(scene.lights.size()) + " lights",
-          each * pixels);
+  uint64_t each = layers * kVisibility + kTruthLayers * (1 + kPicture) + 4 * kPicture;
+  if (made == Made::TruthFiles) each += layers * report::kExrWritingBytes;
+  require("a truth of " + shown + " with " + lights, each * pixels);
 }
 
 }  // namespace sb

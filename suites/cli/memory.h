@@ -10,8 +10,11 @@ namespace sb {
 /// --max-memory, or half of the machine's, for everything that follows.
 void limitMemory(const Options& options);
 
-/// Throws InputError with the figure when a scene, a picture of it or (asked for) its truth does
-/// not fit.
-void requireMemory(const Scene& scene, rhi::Extent2D size, bool truth);
+/// What is made of a scene. `Files`: the visibility of all lights is written, which takes as much
+/// again.
+enum class Made : uint8_t { Picture, VisibilityFiles, Truth, TruthFiles };
+
+/// Throws InputError with the figure when a scene, or what is to be made of it, does not fit.
+void requireMemory(const Scene& scene, rhi::Extent2D size, Made made);
 
 }  // namespace sb

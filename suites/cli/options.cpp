@@ -192,7 +192,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   app.add_option("--html", o.htmlFile, "write a report with pictures, one self-contained file")
       ->type_name("FILE");
   app.add_option("--suite", o.suite,
-                 "measure the cells of a suite: " + joinedNames(builtinSuites()) + ", or a file")
+                 "measure the cells of a suite: " + joinedNames(builtinSuites()) +
+                     ", or a file; stability: with --scene, the generic properties of that scene")
       ->type_name("NAME|FILE.toml");
   addNumber(
       app, "--seeds", kSeedCount, [&o](double v) { o.seeds = uint32_t(v); },
@@ -223,7 +224,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       ->type_name("PREFIX");
   render->add_flag(
       "--visibility", o.visibility,
-      "also the visibility buffer: per light, the first opaque surface and four layers");
+      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on four "
+      "layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
   addExposure(*render, o);
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
@@ -235,7 +237,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
 
   CLI::App* truth =
-      app.add_subcommand("truth", "write the ray-traced truth of a scene as PNG and EXR");
+      app.add_subcommand("truth", "write the ray-traced truth of a scene: its picture and "
+                                    "its edges, and the visibility of all lights in one EXR");
   addScene(*truth, o);
   addMaxMemory(*truth, o);
   truth->add_option("--output,-o", o.outputPrefix, "path without extension [truth]")
@@ -275,10 +278,6 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),
                      "found it beside a command; it is of measuring");
-  if (!o.suite.empty() && !(o.selection.techniques.empty() && o.selection.scenes.empty() &&
-                            o.selection.sets.empty() && o.selection.edits.empty()))
-    throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
-                                "itself");
   if (!o.benchmark.filter.empty()) {
     if (!o.selection.filter.empty())
       throw InputError("--filter", "found it beside --benchmark_filter, expected one of the two");

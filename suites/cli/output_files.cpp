@@ -1,10 +1,13 @@
 #include "suites/cli/output_files.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 
 #include "reports/atomic_file.h"
 #include "reports/html/html.h"
+#include "suites/cli/commands.h"
+#include "suites/cli/visibility_files.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -61,6 +64,9 @@ Files outputFiles(const Options& o) {
     case Command::Truth:
       add("--output", o.outputPrefix + ".png");
       add("--output", o.outputPrefix + ".exr");
+      if (o.command == Command::Truth) add("--output", o.outputPrefix + ".edges.png");
+      if (o.command == Command::Truth || o.visibility)
+        for (const std::string& path : visibilityFiles(o.outputPrefix)) add("--output", path);
       break;
     case Command::Scene:
       add("--export", o.exportFile);
@@ -75,6 +81,14 @@ Files outputFiles(const Options& o) {
       break;
   }
   return files;
+}
+
+void requireOutputs(const Options& options, const Scene& scene) {
+  const auto ofLights = visibilityFiles(options.outputPrefix);
+  for (const auto& [option, path] : outputFiles(options)) {
+    const bool ofLight = std::ranges::find(ofLights, path) != ofLights.end();
+    if (!ofLight || !scene.lights.empty()) requireWritable(option, path);
+  }
 }
 
 void requireSaneFiles(const CLI::App& app, const Options& options) {

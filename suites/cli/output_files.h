@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "suites/cli/options.h"
+#include "techniques/common/scene.h"
 
 namespace CLI {
 class App;
@@ -16,6 +17,10 @@ namespace sb {
 
 /// Option and path of each file that the command writes, pictures and journals not included.
 std::vector<std::pair<std::string, std::string>> outputFiles(const Options& options);
+
+/// Throws InputError when one of the files that `truth` or `render` will write of the scene cannot
+/// be written: those of visibility belong to scenes with lights.
+void requireOutputs(const Options& options, const Scene& scene);
 
 /// Throws InputError, naming the option: an empty path, one file under two options, an output that
 /// is an input.

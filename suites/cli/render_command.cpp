@@ -2,7 +2,9 @@
 #include "reports/picture.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/memory.h"
+#include "suites/cli/output_files.h"
 #include "suites/cli/say.h"
+#include "suites/cli/visibility_files.h"
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
 #include "suites/scenes/analysis.h"
@@ -11,12 +13,6 @@
 
 namespace sb {
 namespace {
-
-void writeBoth(const std::string& prefix, const report::Picture& picture, float exposure) {
-  report::writePng(prefix + ".png", picture, exposure);
-  report::writeExr(prefix + ".exr", picture);
-  print(prefix + ".png " + prefix + ".exr\n");
-}
 
 /// One cell; on the first default backend that starts when none is named.
 CellId oneCell(const Options& options, const Platform& platform, Devices& devices) {
@@ -44,9 +40,15 @@ CellId oneCell(const Options& options, const Platform& platform, Devices& device
   throw rhi::Error("render", "", why);
 }
 
-void requireWritable(const Options& options) {
-  for (const char* extension : {".png", ".exr"})
-    sb::requireWritable("--output", options.outputPrefix + extension);
+void writeVisibility(const Options& options, Renderer& renderer, rhi::Extent2D size) {
+  std::vector<std::pair<uint32_t, std::vector<VisibilityImage>>> lights;
+  for (uint32_t light = 0; light < renderer.lightCount(); ++light)
+    lights.emplace_back(renderer.sceneLight(light), renderer.readVisibility(light));
+  VisibilityLayers layers;
+  for (const auto& [light, images] : lights)
+    for (uint32_t layer = 0; layer < images.size(); ++layer)
+      layers[{light, layer}] = &images[layer];
+  sb::writeVisibility(options.outputPrefix, size, std::move(layers));
 }
 
 }  // namespace
@@ -54,7 +56,6 @@ void requireWritable(const Options& options) {
 int renderCommand(const Options& options) {
   limitMemory(options);
   Platform platform = makePlatform(options);
-  requireWritable(options);
   Devices devices(platform.backends(), platform.shaders,
                   {.selector = options.device, .validate = options.validate});
   const CellId id = oneCell(options, platform, devices);
@@ -62,7 +63,9 @@ int renderCommand(const Options& options) {
   const TechniqueInfo& technique = shadowTechnique(id.technique).info;
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) say(w);
-  requireMemory(scene, {id.width, id.height}, false);
+  requireOutputs(options, scene);
+  requireMemory(scene, {id.width, id.height},
+                options.visibility ? Made::VisibilityFiles : Made::Picture);
   const Effects effects = analyse(scene, double(id.width) / double(id.height));
   if (auto skip =
           unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
@@ -81,16 +84,11 @@ int renderCommand(const Options& options) {
   const report::Picture picture{id.width, id.height, renderer.readImage()};
   if (const uint64_t bad = countNonFinite(picture))
     say("warning: " + std::to_string(bad) + " values of the picture are not finite");
-  writeBoth(options.outputPrefix, picture,
-            options.exposure.value_or(automaticExposure(picture)));
-  if (options.visibility)
-    for (uint32_t light = 0; light < renderer.lightCount(); ++light) {
-      const auto layers = renderer.readVisibility(light);
-      for (size_t layer = 0; layer < layers.size(); ++layer)
-        writeBoth(options.outputPrefix + ".visibility.light" + std::to_string(light) +
-                      (layer == 0 ? ".opaque" : ".layer" + std::to_string(layer)),
-                  {id.width, id.height, layers[layer]}, 1);
-    }
+  report::writePng(options.outputPrefix + ".png", picture,
+                   options.exposure.value_or(automaticExposure(picture)));
+  report::writeExr(options.outputPrefix + ".exr", picture);
+  print(options.outputPrefix + ".png " + options.outputPrefix + ".exr\n");
+  if (options.visibility) writeVisibility(options, renderer, {id.width, id.height});
   int code = 0;
   for (const rhi::Message& m : session->device->takeMessages()) {
     say(m.source + " [" + m.rule + "] " + m.text);

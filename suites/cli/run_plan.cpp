@@ -21,6 +21,16 @@ std::string suiteOf(const Options& options) {
   return named ? "" : "quick";
 }
 
+/// A suite names its cells itself. Hard cases alone may be asked of other techniques and scenes.
+void requireFitting(const Selection& s, const Suite& suite) {
+  if (!s.sets.empty() ||
+      (!suite.runs.empty() && !(s.techniques.empty() && s.scenes.empty() && s.edits.empty())))
+    throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
+                                "itself");
+  if (s.scenes.empty() && !s.edits.empty())
+    throw InputError("--suite", "found it beside changes of a scene, expected --scene too");
+}
+
 MeasureSettings settingsOf(const Options& options, const Suite& suite) {
   MeasureSettings s;
   s.budgetSeconds =
@@ -49,6 +59,7 @@ RunPlan planRun(const Options& options, const std::vector<std::string>& known) {
     plan.cells = selectCells(options.selection, known, defaults);
   } else {
     suite = loadSuite(plan.suite);
+    requireFitting(options.selection, suite);
     // Cells and hard cases are filtered together: a name may be of either.
     Selection all = options.selection;
     all.filter.clear();
@@ -74,7 +85,11 @@ std::string describePlan(const RunPlan& plan, const report::Run& run) {
     sizes.insert(std::to_string(id.width) + "x" + std::to_string(id.height));
     backends.insert(id.backend);
   }
-  for (const StabilityJob& job : plan.jobs) backends.insert(job.backend);
+  for (const StabilityJob& job : plan.jobs) {
+    backends.insert(job.backend);
+    if (!job.scene.empty())
+      sizes.insert(std::to_string(job.size.width) + "x" + std::to_string(job.size.height));
+  }
   const auto listed = [](const std::set<std::string>& words) {
     std::string out;
     for (const std::string& w : words) out += (out.empty() ? "" : ", ") + w;

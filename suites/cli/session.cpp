@@ -113,6 +113,9 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
   for (const StabilityJob& job : jobs) {
     h.hardCases.push_back(jobName(job));
     backends.insert(job.backend);
+    if (const std::string scene = base::printable(job.scene);
+        !scene.empty() && !h.scenes.contains(scene))
+      h.scenes[scene] = sceneHash(makeScene(job.scene));
   }
   for (const std::string& backend : backends) {
     const DeviceSession* session = devices.open(backend);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -13,6 +14,9 @@ std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& ove
   const auto& backends = over.backends.empty() ? defaultBackends : over.backends;
   std::vector<StabilityJob> jobs;
   std::set<std::string> names;
+  const std::vector<std::string> scenes = namedScenes(over);
+  std::optional<rhi::Extent2D> size;
+  if (over.size) size = {over.size->first, over.size->second};
   for (const StabilityRun& run : suite.stability) {
     try {
       const auto& techniques = over.techniques.empty() ? run.techniques : over.techniques;
@@ -21,7 +25,9 @@ std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& ove
                                               .backends = backends,
                                               .filter = over.filter,
                                               .variants = run.variants,
-                                              .seeds = run.seeds}))
+                                              .seeds = run.seeds,
+                                              .scenes = scenes,
+                                              .size = size}))
         if (names.insert(jobName(job)).second) jobs.push_back(std::move(job));
     } catch (const InputError& e) {
       throw InputError(run.where, e.what());
@@ -32,7 +38,18 @@ std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& ove
 
 namespace {
 
-report::StabilityRecord runOne(const StabilityJob& job, Devices& devices) {
+/// The scene of jobs that follow each other, read once.
+struct LastScene {
+  std::string spec;
+  Scene scene;
+  const Scene* of(const StabilityJob& job) {
+    if (job.scene.empty()) return nullptr;
+    if (spec != job.scene) scene = makeScene(job.scene), spec = job.scene;
+    return &scene;
+  }
+};
+
+report::StabilityRecord runOne(const StabilityJob& job, Devices& devices, LastScene& last) {
   DeviceSession* session = devices.open(job.backend);
   if (!session)
     return skippedStability(job, "the backend does not start: " + devices.why(job.backend));
@@ -45,7 +62,8 @@ report::StabilityRecord runOne(const StabilityJob& job, Devices& devices) {
   std::optional<DeviceContext> otherDevice;
   if (second) otherDevice.emplace(second->context());
   try {
-    return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false);
+    return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false,
+                        last.of(job));
   } catch (const rhi::Error& e) {
     if (rhi::isDeviceLost(e)) devices.lose(job.backend, e.what());
     return failedStability(job, e.what());
@@ -64,9 +82,10 @@ void runStability(
     const std::vector<StabilityJob>& jobs, Devices& devices, const std::atomic<bool>& interrupted,
     const std::function<void(const StabilityJob&, size_t)>& progress,
     const std::function<void(const StabilityJob&, const report::StabilityRecord&)>& finished) {
+  LastScene last;
   for (size_t i = 0; i < jobs.size() && !interrupted; ++i) {
     progress(jobs[i], i);
-    finished(jobs[i], runOne(jobs[i], devices));
+    finished(jobs[i], runOne(jobs[i], devices, last));
   }
 }
 

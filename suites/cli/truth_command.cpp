@@ -9,9 +9,11 @@
 #include "suites/cli/commands.h"
 #include "suites/cli/interrupt.h"
 #include "suites/cli/memory.h"
+#include "suites/cli/output_files.h"
 #include "suites/cli/progress.h"
 #include "suites/cli/say.h"
 #include "suites/cli/unfinished_runs.h"
+#include "suites/cli/visibility_files.h"
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
 #include "suites/metrics/exposure.h"
@@ -23,28 +25,22 @@
 namespace sb {
 namespace {
 
-void write(const std::string& prefix, const report::Picture& picture, float exposure) {
-  report::writePng(prefix + ".png", picture, exposure);
-  report::writeExr(prefix + ".exr", picture);
-  print(prefix + ".png " + prefix + ".exr\n");
-}
-
 void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
-  const auto picture = [&](const std::vector<float>& rgba) {
-    return report::Picture{truth.width, truth.height, rgba};
-  };
-  const report::Picture image = picture(truth.image);
-  write(options.outputPrefix, image, options.exposure.value_or(automaticExposure(image)));
-  for (size_t light = 0; light < scene.lights.size(); ++light)
+  const std::string& prefix = options.outputPrefix;
+  const report::Picture image{truth.width, truth.height, truth.image};
+  report::writePng(prefix + ".png", image, options.exposure.value_or(automaticExposure(image)));
+  report::writeExr(prefix + ".exr", image);
+  print(prefix + ".png " + prefix + ".exr\n");
+  VisibilityLayers layers;
+  for (uint32_t light = 0; light < scene.lights.size(); ++light)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
-      write(options.outputPrefix + ".visibility.light" + std::to_string(light) +
-                (layer == 0 ? ".opaque" : ".layer" + std::to_string(layer)),
-            picture(truth.visibility[light * kTruthLayers + layer]), 1);
+      layers[{light, layer}] = &truth.visibility[light * kTruthLayers + layer];
+  if (!layers.empty()) writeVisibility(prefix, {truth.width, truth.height}, std::move(layers));
   std::vector<float> edges;
   for (const uint8_t e : truth.imageEdges)
     edges.insert(edges.end(), {float(e), float(e), float(e), 1});
-  report::writePng(options.outputPrefix + ".edges.png", picture(edges));
-  print(options.outputPrefix + ".edges.png\n");
+  report::writePng(prefix + ".edges.png", {truth.width, truth.height, std::move(edges)});
+  print(prefix + ".edges.png\n");
 }
 
 }  // namespace
@@ -56,11 +52,10 @@ int truthCommand(const Options& options) {
   selection.techniques = {kReferenceTechnique};
   if (selection.scenes.empty()) selection.scenes = {"layers"};
   const CellId id = selectCells(selection, {}, {}).front();
-  for (const char* extension : {".png", ".exr"})
-    requireWritable("--output", options.outputPrefix + extension);
   limitMemory(options);
   const Scene scene = makeScene(id.scene);
-  requireMemory(scene, {id.width, id.height}, true);
+  requireOutputs(options, scene);
+  requireMemory(scene, {id.width, id.height}, Made::TruthFiles);
   for (const std::string& w : scene.warnings) say(w);
   if (const auto missing = notYetRepresented(scene); !missing.empty()) {
     say("the truth cannot show this scene yet: " + missing.front());

@@ -98,7 +98,7 @@ void readLine(const Field& line, JournalContent& content) {
     content.cells.insert_or_assign(name, std::move(record));
   } else if (const auto hard = line.find("hard_case")) {
     report::StabilityRecord record = report::readStability(*hard);
-    const std::string name = hardCaseName(record);
+    const std::string name = record.name();
     content.hardCases.insert_or_assign(name, std::move(record));
   } else {
     line.refuse("a block, a cell or a hard case");
@@ -132,10 +132,6 @@ void compareNames(const std::string& kind, const std::vector<std::string>& there
 }
 
 }  // namespace
-
-std::string hardCaseName(const report::StabilityRecord& record) {
-  return record.id + "/" + record.technique + "/" + record.backend;
-}
 
 std::vector<std::string> differences(const JournalHeader& there, const JournalHeader& here) {
   std::vector<std::string> out;

@@ -43,9 +43,6 @@ struct JournalContent {
   bool halfLine = false;     ///< something was cut off behind it
 };
 
-/// The name of a hard case's record, as jobName() gives it.
-std::string hardCaseName(const report::StabilityRecord& record);
-
 /// Throws InputError naming file and line. A last line that was cut off is left out.
 JournalContent readJournal(const std::filesystem::path& path);
 

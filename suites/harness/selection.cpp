@@ -185,6 +185,13 @@ const std::vector<std::string>& quickScenes() {
   return names;
 }
 
+std::vector<std::string> namedScenes(const Selection& selection) {
+  std::vector<std::string> scenes;
+  for (const std::string& s : selection.scenes)
+    scenes.push_back(canonicalSceneSpec(withEdits(s, selection.edits)));
+  return scenes;
+}
+
 std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& knownBackends,
                                 const std::vector<std::string>& defaultBackends) {
@@ -195,9 +202,9 @@ std::vector<CellId> selectCells(const Selection& selection,
   for (const std::string& b : selection.backends)
     if (std::ranges::find(known, b) == known.end())
       throw InputError("--backend", unknownName("backend", b, known));
-  std::vector<std::string> scenes;
-  for (const std::string& s : selection.scenes.empty() ? quickScenes() : selection.scenes)
-    scenes.push_back(canonicalSceneSpec(withEdits(s, selection.edits)));
+  Selection shown = selection;
+  if (shown.scenes.empty()) shown.scenes = quickScenes();
+  const std::vector<std::string> scenes = namedScenes(shown);
   const auto [width, height] = selection.size.value_or(std::pair<uint32_t, uint32_t>{512, 512});
 
   std::vector<CellId> cells;

@@ -30,6 +30,9 @@ struct Selection {
 /// Scenes of the quick suite.
 const std::vector<std::string>& quickScenes();
 
+/// The scenes that are named, with all edits, in canonical form. Throws InputError.
+std::vector<std::string> namedScenes(const Selection& selection);
+
 /// All cells of the selection, names unique, in a fixed order. Throws InputError naming the nearest
 /// existing technique, knob or backend, or when the filter matches nothing or is no regular
 /// expression.

@@ -12,6 +12,15 @@ struct Found {
   std::vector<report::StabilityPoint> curve;
   /// Error by construction that excuses what exceeds the tolerance; empty: nothing does.
   std::string expected;
+  /// Why nothing can be asked of this scene, or "".
+  std::string leftOut = "";
+};
+
+/// A property asked of a scene of the user's.
+struct SceneForm {
+  Found (*run)(const CaseContext&) = nullptr;  ///< null: it needs the case's own scene
+  std::string property;
+  std::string reason;
 };
 
 /// Whom a case asks: a broken property is the fault of shadows, of camera transparency, of either.
@@ -28,10 +37,19 @@ struct StabilityCase {
   /// Why a technique is not asked, or "": it is.
   std::string (*leavesOut)(const CaseContext&) = nullptr;
   Found (*run)(const CaseContext&) = nullptr;
+  SceneForm onScene = {};
 };
 
 /// All cases, in the order of spec 17.
 const std::vector<StabilityCase>& stabilityCases();
+
+/// Of the generic properties, by their ids.
+SceneForm sceneForm(const std::string& id);
+/// Pixels of the first opaque surface whose visibility changed although nothing within two pixels
+/// varies. Not a number where it varies everywhere.
+double changedInside(Probe& before, Probe& after, uint32_t light = 0);
+/// Values of picture and visibility that are not finite, and visibilities outside [0, 1].
+double badValues(Probe& probe);
 
 // One file each.
 std::vector<StabilityCase> genericCases();       ///< G1-G11

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "suites/harness/verify.h"
 #include "suites/scenes/shapes.h"
 #include "suites/scenes/transform.h"
 #include "suites/stability/case.h"
@@ -85,26 +84,6 @@ Found degenerate(const CaseContext& context) {
   return changed(context, true, {1}, 0, [](Scene& scene, double) { insertDegenerate(scene); });
 }
 
-/// Pixels of the first opaque surface that changed although nothing within two pixels varies.
-double changedInside(Probe& before, Probe& after, int width, int height) {
-  const auto &a = before.visibility()[0], &b = after.visibility()[0];
-  Compared far;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const size_t i = 4 * size_t(y * width + x);
-      if (a[i + 3] == 0 && b[i + 3] == 0) continue;
-      const auto same = [](const VisibilityImage& p, size_t k, const VisibilityImage& q, size_t l) {
-        return std::equal(p.begin() + long(k), p.begin() + long(k) + 4, q.begin() + long(l));
-      };
-      bool edge = same(a, i, b, i);
-      for (int v = std::max(0, y - 2); v <= std::min(height - 1, y + 2); ++v)
-        for (int u = std::max(0, x - 2); u <= std::min(width - 1, x + 2); ++u)
-          edge |= !same(a, i, a, 4 * size_t(v * width + u));
-      far.count(!edge);
-    }
-  return far.value();
-}
-
 Found perturbed(const CaseContext& context) {
   Found found;
   const ProbeOptions options{.knobs = {{"kernel", "1"}, {"compare", "manual"}}};
@@ -114,7 +93,7 @@ Found perturbed(const CaseContext& context) {
     scene.instances[1].toWorld[3].x += 1.5 * x;
     scene.lights[0].direction = glm::normalize(scene.lights[0].direction + glm::dvec3(x, 0, 0));
     Probe after(context, std::move(scene), options);
-    found.curve.push_back({x, changedInside(before, after, 96, 64), 0});
+    found.curve.push_back({x, changedInside(before, after), 0});
   }
   return found;
 }
@@ -124,15 +103,6 @@ Found otherApi(const CaseContext& context) {
   other.onOther = true;
   Probe a(context, mixed(true), kOptions), b(context, mixed(true), other);
   return {.curve = {{1, pictureDifference(a, b), 1}}, .expected = ""};
-}
-
-/// Values that are not finite, and visibilities outside [0, 1].
-double badValues(Probe& probe) {
-  double bad = double(countNonFinite(probe.picture()));
-  for (uint32_t light = 0; light < probe.renderer().lightCount(); ++light)
-    for (const VisibilityImage& layer : probe.visibility(light))
-      bad += double(std::ranges::count_if(layer, [](float v) { return !(v >= 0 && v <= 1); }));
-  return bad;
 }
 
 Found finite(const CaseContext& context) {
@@ -210,7 +180,7 @@ std::string withOther(const CaseContext& context) {
 
 std::vector<StabilityCase> genericCases() {
   const std::string picture = "the picture stays (largest difference, 1/255)";
-  return {
+  std::vector<StabilityCase> cases = {
       {.id = "G1",
        .title = "The world moved",
        .property = picture,
@@ -289,6 +259,8 @@ std::vector<StabilityCase> genericCases() {
        .parameter = "angle of incidence, degrees",
        .run = grazing},
   };
+  for (StabilityCase& c : cases) c.onScene = sceneForm(c.id);
+  return cases;
 }
 
 }  // namespace sb

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "suites/harness/verify.h"
+#include "suites/metrics/exposure.h"
 #include "suites/scenes/analysis.h"
-#include "suites/truth/tracer.h"
 
 namespace sb {
 namespace {
@@ -16,11 +16,12 @@ Knobs knobsFor(const CaseContext& context, const ProbeOptions& options) {
   for (const auto& [name, value] : options.knobs)
     if (std::ranges::find(infos, name, &KnobInfo::name) != infos.end()) given[name] = value;
   if (std::ranges::find(infos, "size", &KnobInfo::name) != infos.end())
-    given.try_emplace("size", "256");
+    if (!context.scene) given.try_emplace("size", "256");
   return Knobs::resolve(infos, given);
 }
 
-/// Whether the truth takes this value within the reach of lookups around a point.
+}  // namespace
+
 bool explained(const Tracer& tracer, uint32_t light, const Tracer::Point& point,
                const LookupReach& reach, const float* value) {
   const Tracer::Range range = tracer.visibilityNear(light, point, reach);
@@ -40,20 +41,22 @@ double cosine(const Scene& scene, uint32_t light, const Tracer::Point& point) {
   return std::max(0.0, glm::dot(point.normal, glm::normalize(toLight)));
 }
 
-}  // namespace
-
 Probe::Probe(const CaseContext& context, Scene scene, const ProbeOptions& options)
     : m_scene(std::move(scene)),
       m_options(options),
       m_seeds(context.info().stochastic ? context.seeds : 1) {
   const DeviceContext& device = options.onOther ? *context.other : context.device;
   m_effects = analyse(m_scene, double(options.size.width) / options.size.height);
+  const Knobs knobs = knobsFor(context, options);
+  if (const auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs,
+                                   m_effects.present))
+    throw Unsupported(why->reason);
   m_gpuScene = std::make_unique<GpuScene>(device.device, m_scene);
   m_renderer = std::make_unique<Renderer>(
       device, *m_gpuScene, m_effects,
       RendererDesc{.technique = &shadowTechnique(context.technique),
                    .transparency = &transparencyTechnique(context.transparency),
-                   .knobs = knobsFor(context, options),
+                   .knobs = knobs,
                    .size = options.size,
                    .seed = options.seed,
                    .forced = {}});
@@ -95,7 +98,10 @@ glm::dvec3 Probe::middleMean(const VisibilityImage& image) const {
   return sum / count;  // not a number where nothing is: no case allows that
 }
 
-double pictureDifference(Probe& a, Probe& b) { return maxDifference255(a.picture(), b.picture()); }
+double pictureDifference(Probe& a, Probe& b) {
+  const report::Picture first = a.picture();
+  return maxDifference255(first, b.picture(), automaticExposure(first));
+}
 
 TruthDifference truthDifference(Probe& probe) {
   const report::Picture picture = probe.picture();

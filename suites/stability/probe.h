@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "reports/picture.h"
-#include "suites/truth/truth.h"
+#include "suites/truth/tracer.h"
 #include "techniques/common/registry.h"
 #include "techniques/common/renderer.h"
 
@@ -20,6 +21,8 @@ struct CaseContext {
   std::map<std::string, std::string> knobs = {};  ///< of the variant; what a case fixes wins
   uint32_t seeds = 1;  ///< over which means of stochastic techniques are taken
   bool quick = false;  ///< fewer and smaller points, for tests
+  const Scene* scene = nullptr;  ///< the user's, which a property is asked of; null: the case's own
+  rhi::Extent2D size = {96, 64};  ///< of pictures of that scene
   const TechniqueInfo& info() const { return shadowTechnique(technique).info; }
   const TechniqueInfo& transparencyInfo() const { return transparencyTechnique(transparency).info; }
   bool represents(Effect effect) const { return info().represents.has(effect); }
@@ -29,8 +32,14 @@ struct CaseContext {
   }
 };
 
+/// The device lacks what the techniques need for a scene.
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct ProbeOptions {
-  std::map<std::string, std::string> knobs = {};  ///< those that the technique has; size: 256
+  /// Those that the technique has; in scenes of cases, size: 256.
+  std::map<std::string, std::string> knobs = {};
   rhi::Extent2D size = {96, 64};
   uint32_t seed = 0;
   bool onOther = false;  ///< on the other API's device
@@ -38,11 +47,13 @@ struct ProbeOptions {
 
 class Probe {
  public:
-  /// Renders one frame. Throws rhi::Error when the device refuses.
+  /// Renders one frame. Throws Unsupported, and rhi::Error when the device refuses.
   Probe(const CaseContext& context, Scene scene, const ProbeOptions& options = {});
   Probe(const Probe&) = delete;
 
   const Scene& scene() const { return m_scene; }
+  const Effects& effects() const { return m_effects; }
+  rhi::Extent2D size() const { return m_options.size; }
   Renderer& renderer() { return *m_renderer; }
   report::Picture picture();
   /// Of a light that touches the view: first opaque surface, then layers from the eye.
@@ -82,8 +93,16 @@ class Compared {
   bool m_any = false;
 };
 
-/// Largest difference of a channel, in 1/255.
+/// Largest difference of a channel, in 1/255, of the pictures as they are shown: exposed as the
+/// first asks for.
 double pictureDifference(Probe& a, Probe& b);
+
+/// Whether the truth takes this value somewhere within the reach of lookups around a point, and
+/// another one elsewhere: there resolution decides.
+bool explained(const Tracer& tracer, uint32_t light, const Tracer::Point& point,
+               const LookupReach& reach, const float* value);
+/// Cosine of the angle at which a light of the scene meets a surface; 0 behind it.
+double cosine(const Scene& scene, uint32_t light, const Tracer::Point& point);
 
 /// Visibility against the ray-traced truth over all lights and layers, at pixels away from the
 /// picture's edges. A value that the truth takes somewhere within the reach of the technique's

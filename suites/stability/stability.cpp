@@ -4,8 +4,10 @@
 #include <set>
 
 #include "backends/rhi/memory_limit.h"
+#include "base/text.h"
 #include "suites/harness/cell.h"
 #include "suites/harness/selection.h"
+#include "suites/scenes/procedural.h"
 #include "techniques/common/error.h"
 
 namespace sb {
@@ -95,7 +97,7 @@ std::string whyItBreaks(const TechniqueInfo& info, const StabilityJob& job) {
 }  // namespace
 
 std::string jobName(const StabilityJob& job) {
-  return job.caseId + "/" + variantName(job) + "/" + job.backend;
+  return skippedStability(job, "").name();
 }
 
 std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
@@ -106,29 +108,38 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
   std::vector<std::string> ids = selection.cases;
   if (ids.empty())
     for (const StabilityCase& c : stabilityCases()) ids.push_back(c.id);
+  const bool own = selection.scenes.empty();
+  if (!own)
+    std::erase_if(ids, [](const std::string& id) { return !caseOf(id).onScene.run; });
   const base::Pattern wanted = parseFilter(selection.filter);
   std::vector<StabilityJob> jobs;
   for (const std::string& id : ids) {
     const StabilityCase& c = caseOf(id);
     for (const auto& [technique, transparency] : pairs)
       for (const auto& knobs : selection.variants)
-        for (const std::string& backend : selection.backends) {
-          StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds};
-          if (!concerns(c, technique) || !hasKnobs(job)) continue;
-          if (wanted.found(jobName(job))) jobs.push_back(std::move(job));
-        }
+        for (const std::string& backend : selection.backends)
+          for (const std::string& scene : own ? std::vector<std::string>{""} : selection.scenes) {
+            StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds, scene};
+            if (selection.size) job.size = *selection.size;
+            if (!concerns(c, technique) || !hasKnobs(job)) continue;
+            if (wanted.found(jobName(job))) jobs.push_back(std::move(job));
+          }
   }
   return jobs;
 }
 
 report::StabilityRecord skippedStability(const StabilityJob& job, const std::string& why) {
   const StabilityCase& c = caseOf(job.caseId);
+  const bool own = job.scene.empty();
   return {.id = c.id,
           .title = c.title,
-          .property = c.property,
-          .reason = c.reason,
+          .property = own ? c.property : c.onScene.property,
+          .reason = own ? c.reason : c.onScene.reason,
           .technique = variantName(job),
           .backend = job.backend,
+          .scene = base::printable(job.scene),
+          .width = own ? 0 : job.size.width,
+          .height = own ? 0 : job.size.height,
           .parameter = c.parameter,
           .logarithmic = c.logarithmic,
           .curve = {},
@@ -144,28 +155,33 @@ report::StabilityRecord failedStability(const StabilityJob& job, const std::stri
 }
 
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
-                                     const DeviceContext* other, bool quick) {
+                                     const DeviceContext* other, bool quick, const Scene* given) {
   const StabilityCase& c = caseOf(job.caseId);
+  std::optional<Scene> scene;
+  if (!job.scene.empty()) scene = given ? *given : makeScene(job.scene);
+  if (scene) scene->path.clear();  // properties of one picture, from where the path ends
   const CaseContext context{.device = device,
                             .other = other,
                             .technique = job.technique,
                             .transparency = job.transparency,
                             .knobs = job.knobs,
                             .seeds = job.seeds,
-                            .quick = quick};
-  const Knobs knobs = Knobs::resolve(knobsOf(job), job.knobs);
-  if (auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs, {}))
-    return skippedStability(job, why->reason);
+                            .quick = quick,
+                            .scene = scene ? &*scene : nullptr,
+                            .size = job.size};
   if (c.leavesOut)
     if (const std::string why = c.leavesOut(context); !why.empty())
       return skippedStability(job, why);
   report::StabilityRecord record = skippedStability(job, "");
   try {
-    Found found = c.run(context);
+    Found found = (scene ? c.onScene.run : c.run)(context);
+    if (!found.leftOut.empty()) return skippedStability(job, found.leftOut);
     record.curve = std::move(found.curve);
     for (const TechniqueInfo* info : {&context.info(), &context.transparencyInfo()})
       if (const std::string why = whyItBreaks(*info, job); !why.empty()) found.expected = why;
     report::judge(record, found.expected);
+  } catch (const Unsupported& error) {
+    return skippedStability(job, error.what());
   } catch (const rhi::Error& error) {
     // What a device says it lacks is no failure; anything else that a driver refuses is.
     if (rhi::isDeviceLost(error)) throw;

@@ -1,6 +1,8 @@
 // Runs hard cases for techniques on backends: the suite `stability`.
 #pragma once
 
+#include <optional>
+
 #include "suites/stability/case.h"
 
 namespace sb {
@@ -13,9 +15,12 @@ struct StabilityJob {
   std::string backend;
   std::map<std::string, std::string> knobs = {};  ///< variant of the technique
   uint32_t seeds = 1;  ///< over which stochastic techniques are averaged
+  std::string scene = "";  ///< of the user's, as makeScene() takes it; "": the case has its own
+  rhi::Extent2D size = {96, 64};  ///< of that scene's pictures
 };
 
-/// "G1/CSSM2/vulkan", "G1/CSSM2/format:rgba16/vulkan": what --filter matches and --list prints.
+/// "G1/CSSM2/vulkan", "G1/CSSM2/format:rgba16/vulkan", "G1/CSSM2/vulkan/a.glb/96x64": what --filter
+/// matches and --list prints.
 std::string jobName(const StabilityJob& job);
 
 /// What to ask: empty lists mean all.
@@ -29,6 +34,9 @@ struct StabilitySelection {
   /// Knobs of each variant to ask; a technique that lacks one of the knobs is not asked for it.
   std::vector<std::map<std::string, std::string>> variants = {{}};
   uint32_t seeds = 1;
+  /// Scenes that the generic properties are asked of, instead of every case's own.
+  std::vector<std::string> scenes = {};
+  std::optional<rhi::Extent2D> size = {};  ///< of their pictures
 };
 
 /// Every case of every technique that it asks something of. Throws InputError with the nearest
@@ -37,9 +45,11 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection);
 
 /// Runs one, on a device of the job's backend; `other`: of another API, or null. What the device
 /// declares that it lacks, or has no memory for, gives a record that is skipped with the reason; any
-/// other refusal is a failure. Throws rhi::Error when the device is lost. `quick`: fewer and smaller points.
+/// other refusal is a failure. Throws rhi::Error when the device is lost. `quick`: fewer and smaller
+/// points. `scene`: the job's, where it names one; null: it is made anew.
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
-                                     const DeviceContext* other, bool quick);
+                                     const DeviceContext* other, bool quick,
+                                     const Scene* scene = nullptr);
 /// The record of a job that could not be run to its end.
 report::StabilityRecord failedStability(const StabilityJob& job, const std::string& why);
 /// The same for a backend that does not start.

@@ -130,6 +130,28 @@ TEST_F(Html, AsksTheNetworkForNothing) {
   EXPECT_EQ(head.find("{{"), std::string::npos);
 }
 
+TEST_F(Html, PixelsOfOneSideAloneStandBesideTheError) {
+  Results run = sampleRun();
+  VisibilityError& error = *run.records[0].visibility;
+  error.oneSided = 47, error.oneSidedInterior = 5;
+  const std::string text = page(run);
+  EXPECT_NE(markup(text).find("One-sided px"), std::string::npos);
+  EXPECT_NE(markup(text).find("5<small>42 at edges</small>"), std::string::npos);
+  EXPECT_NE(text.find("5 away from edges, 42 at edges"), std::string::npos);
+}
+
+TEST_F(Html, HardCasesNameTheSceneThatTheyWereAskedOf) {
+  Results run = sampleRun();
+  run.stability = {{.id = "G1", .technique = "CSSM2", .backend = "vulkan", .scene = "a<b.glb",
+                    .width = 96, .height = 64, .curve = {{1, 0, 0}}}};
+  EXPECT_NE(page(run).find("Asked of a&lt;b.glb, 96×64."), std::string::npos);
+  EXPECT_EQ(page(run).find("G1 a&lt;b.glb"), std::string::npos);
+  run.stability.push_back(run.stability[0]);
+  run.stability[1].scene = "layers";
+  EXPECT_NE(page(run).find("G1 a&lt;b.glb"), std::string::npos);
+  EXPECT_NE(page(run).find("G1 layers"), std::string::npos);
+}
+
 TEST_F(Html, WarnsFirst) {
   Results run = sampleRun();
   run.buildType = "debug";

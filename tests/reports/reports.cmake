@@ -1,6 +1,7 @@
 # Tests of reports: statistics, the exact text of every output, results read back, the page's text.
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/atomic_file_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/exr_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/figure_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/html_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/json_read_test.cpp
@@ -14,4 +15,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/tradeoff_fit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tradeoff_test.cpp)
 find_package(nlohmann_json REQUIRED)
-target_link_libraries(unit_tests PRIVATE nlohmann_json::nlohmann_json)
+find_package(tinyexr REQUIRED)
+target_link_libraries(unit_tests PRIVATE nlohmann_json::nlohmann_json tinyexr::tinyexr)

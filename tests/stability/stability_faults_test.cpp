@@ -4,7 +4,9 @@
 #include "backends/null/null_backend.h"
 #include "backends/rhi/memory_limit.h"
 #include "suites/harness/devices.h"
+#include "suites/scenes/shapes.h"
 #include "suites/stability/stability.h"
+#include "techniques/common/registry.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);
@@ -48,6 +50,45 @@ TEST(StabilityFaults, OnlyWhatTheDeviceDeclaresIsASkip) {
   faults.code = "VK_ERROR_DEVICE_LOST";
   EXPECT_THROW(runStability(job, context, nullptr, true), rhi::Error);
   EXPECT_EQ(failedStability(job, "gone").verdict, Verdict::Fail);
+}
+
+/// The null backend's device, which says that it lacks a feature.
+std::unique_ptr<rhi::Device> deviceWithout(rhi::Feature feature) {
+  auto device = null_backend::makeBackend()->open({});
+  const_cast<rhi::DeviceInfo&>(device->info()).features.erase(feature);
+  return device;
+}
+
+TEST(StabilityFaults, WhatACasesSceneNeedsOfTheDeviceIsAskedFor) {
+  rhi::ShaderLibrary shaders;
+  shadowbench_shader_blob::addTo(shaders);
+  const auto device = deviceWithout(rhi::Feature::DualSourceBlend);
+  PipelineCache pipelines(*device);
+  FrameQueries queries(*device);
+  const DeviceContext context{*device, shaders, pipelines, queries};
+  Scene glassy = floorScene();
+  addHorizontal(glassy, add(glassy, glass(0.5f, {1, 0.5f, 0})), {0, 0.25f, 0}, 1, 1);
+  glassy.materials.back().transmission = 1;
+  Scene grey = glassy;
+  grey.materials.back().transmission = 0;
+  for (const TransparencyEntry* entry : transparencyTechniques()) {
+    const std::string& name = entry->info.name;
+    StabilityJob job{"G8", "none", name, "null"};
+    job.scene = "given";
+    const auto asked = [&](const Scene& scene) {
+      return runStability(job, context, nullptr, true, &scene);
+    };
+    const report::StabilityRecord lacking = asked(glassy);
+    EXPECT_EQ(lacking.verdict, report::Verdict::Skipped) << name;
+    EXPECT_EQ(lacking.why, "the device lacks " +
+                               std::string(rhi::featureName(rhi::Feature::DualSourceBlend)) +
+                               ", which " + name + " needs for coloured-transparency");
+    EXPECT_EQ(asked(grey).verdict, report::Verdict::Pass) << name;
+    // A case of its own scene, which has no glass, is asked as ever.
+    EXPECT_EQ(runStability({"G8", "none", name, "null"}, context, nullptr, true).verdict,
+              report::Verdict::Pass)
+        << name;
+  }
 }
 
 }  // namespace

@@ -86,3 +86,34 @@ TEST(StabilityJobs, VariantsAreAskedOfThoseThatHaveTheKnob) {
   EXPECT_EQ(jobName(jobs[2]), "G1/ShadowMap/kernel:3/vulkan");
   EXPECT_EQ(jobs[0].seeds, 64u);
 }
+
+TEST(StabilityJobs, AskTheGenericPropertiesOfAScene) {
+  const auto jobs = stabilityJobs({.techniques = {"CSSM2"},
+                                   .backends = {"vulkan"},
+                                   .scenes = {"layers", "a/b.glb"},
+                                   .size = rhi::Extent2D{32, 24}});
+  ASSERT_EQ(jobs.size(), 24u);  // G1 to G11, and G3 of lights
+  EXPECT_EQ(jobName(jobs[0]), "G1/CSSM2/vulkan/layers/32x24");
+  EXPECT_EQ(jobName(jobs[1]), "G1/CSSM2/vulkan/a/b.glb/32x24");
+  const auto named = stabilityJobs({.cases = {"layers", "G8"}, .backends = {"opengl"},
+                                    .scenes = {"layers"}});
+  for (const StabilityJob& job : named) EXPECT_EQ(job.caseId, "G8");
+  EXPECT_EQ(named.empty(), false);
+}
+
+GPU_TEST(Stability, TheGenericPropertiesHoldOnScenes) {
+  const DeviceContext context = test::cellDevice(device()).context();
+  for (const std::string scene : {"layers", "panes"}) {
+    size_t passed = 0;
+    for (const StabilityJob& job : stabilityJobs({.techniques = {"ShadowMap", "CSSM2"},
+                                                  .backends = {backend()},
+                                                  .scenes = {scene},
+                                                  .size = rhi::Extent2D{64, 48}})) {
+      const report::StabilityRecord r = runStability(job, context, &context, true);
+      passed += r.verdict == report::Verdict::Pass;
+      EXPECT_NE(r.verdict, report::Verdict::Fail) << r.name() << ": " << r.why << " "
+                                                  << r.worst()->value << " at " << r.worst()->x;
+    }
+    EXPECT_GE(passed, 18u) << scene;
+  }
+}

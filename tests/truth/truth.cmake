@@ -6,6 +6,9 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/truth_cache_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_surfaces_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_test.cpp)
-target_sources(gpu_tests PRIVATE ${CMAKE_CURRENT_LIST_DIR}/truth_gpu_test.cpp)
+target_sources(gpu_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/one_sided_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/truth_gpu_test.cpp)
 target_compile_definitions(gpu_tests PRIVATE
-  SHADOWBENCH_SHARED_SCENES="${SHADOWBENCH_SHARED_SCENES}")
+  SHADOWBENCH_SHARED_SCENES="${SHADOWBENCH_SHARED_SCENES}"
+  SHADOWBENCH_TEST_SCENES="${CMAKE_CURRENT_LIST_DIR}/../scenes/files")
