@@ -6,19 +6,6 @@
 
 namespace sb {
 
-std::vector<rhi::SpecConstant> declaredConstants(
-    std::initializer_list<const rhi::ShaderCode*> stages,
-    const std::vector<rhi::SpecConstant>& wanted) {
-  std::vector<rhi::SpecConstant> declared;
-  for (const rhi::SpecConstant& c : wanted)
-    if (std::ranges::any_of(stages, [&](const rhi::ShaderCode* code) {
-          return code && std::ranges::find(code->constants, c.id, &rhi::ShaderConstant::id) !=
-                             code->constants.end();
-        }))
-      declared.push_back(c);
-  return declared;
-}
-
 CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
                        const TransparencyEntry* transparency)
     : m_context(context), m_folder(std::move(folder)), m_inputs(std::move(inputs)) {

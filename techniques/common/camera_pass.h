@@ -106,10 +106,4 @@ inline void drawFullscreen(rhi::CommandList& commands, rhi::PipelineId pipeline,
   commands.draw({.pipeline = pipeline, .bindings = bindings}, {.vertexCount = 3});
 }
 
-/// The values of `wanted` that one of the stages declares: a branch that a shader does not have
-/// needs no constant.
-std::vector<rhi::SpecConstant> declaredConstants(
-    std::initializer_list<const rhi::ShaderCode*> stages,
-    const std::vector<rhi::SpecConstant>& wanted);
-
 }  // namespace sb

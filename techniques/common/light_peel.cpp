@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/common/renderer.h"
+#include "techniques/common/texels.h"
 
 namespace sb {
 namespace {

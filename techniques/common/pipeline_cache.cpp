@@ -65,4 +65,17 @@ rhi::PipelineId PipelineCache::get(const rhi::ComputePipelineDesc& desc) {
   return find("compute:" + key.bytes, desc);
 }
 
+std::vector<rhi::SpecConstant> declaredConstants(
+    std::initializer_list<const rhi::ShaderCode*> stages,
+    const std::vector<rhi::SpecConstant>& wanted) {
+  std::vector<rhi::SpecConstant> declared;
+  for (const rhi::SpecConstant& c : wanted)
+    if (std::ranges::any_of(stages, [&](const rhi::ShaderCode* code) {
+          return code && std::ranges::find(code->constants, c.id, &rhi::ShaderConstant::id) !=
+                             code->constants.end();
+        }))
+      declared.push_back(c);
+  return declared;
+}
+
 }  // namespace sb

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "backends/rhi/device.h"
 
@@ -28,5 +29,11 @@ class PipelineCache {
   std::unordered_map<std::string, rhi::Pipeline> m_pipelines;
   double m_createMs = 0;
 };
+
+/// The values of `wanted` that one of the stages declares: a branch that a shader does not have
+/// needs no constant.
+std::vector<rhi::SpecConstant> declaredConstants(
+    std::initializer_list<const rhi::ShaderCode*> stages,
+    const std::vector<rhi::SpecConstant>& wanted);
 
 }  // namespace sb

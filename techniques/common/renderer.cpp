@@ -1,8 +1,9 @@
 #include "techniques/common/renderer.h"
 
 #include <algorithm>
-#include <glm/gtc/packing.hpp>
 #include <stdexcept>
+
+#include "techniques/common/texels.h"
 
 namespace sb {
 namespace {
@@ -126,13 +127,6 @@ uint32_t Renderer::sceneLight(uint32_t light) const {
 
 LookupReach Renderer::reach(uint32_t sceneLight) const {
   return m_technique ? m_technique->reach(sceneLight) : LookupReach{};
-}
-
-std::vector<float> halfToFloat(std::span<const std::byte> texels) {
-  std::vector<float> out(texels.size() / 2);
-  const auto* half = reinterpret_cast<const uint16_t*>(texels.data());
-  for (size_t i = 0; i < out.size(); ++i) out[i] = glm::unpackHalf1x16(half[i]);
-  return out;
 }
 
 }  // namespace sb

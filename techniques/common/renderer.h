@@ -90,7 +90,4 @@ class Renderer {
   std::optional<uint32_t> m_standing;  ///< step that frames stay at
 };
 
-/// RGBA16F texels as floats (exact).
-std::vector<float> halfToFloat(std::span<const std::byte> texels);
-
 }  // namespace sb

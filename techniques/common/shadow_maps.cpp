@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/common/camera_pass.h"
 
 namespace sb {
 

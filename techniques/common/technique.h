@@ -11,12 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "techniques/common/context.h"
 #include "techniques/common/frame.h"
-#include "techniques/common/knobs.h"
 #include "techniques/common/lookup_reach.h"
-#include "techniques/common/pipeline_cache.h"
-#include "techniques/common/plan.h"
-#include "techniques/common/scene_view.h"
 
 namespace sb {
 
@@ -43,16 +40,6 @@ struct TechniqueInfo {
   std::function<bool(const Knobs&)> drawsInParts;
   /// Transparency techniques: with these knobs parts can be drawn one after another. Null: never.
   std::function<bool(const Knobs&)> drawsParts;
-};
-
-/// Everything a technique may use while it prepares.
-struct Context {
-  rhi::Device& device;
-  const rhi::ShaderLibrary& shaders;
-  PipelineCache& pipelines;
-  SceneView& view;
-  const Plan& plan;
-  const Knobs& knobs;
 };
 
 /// What the shaders that ask `lightVisibility` need from the technique.

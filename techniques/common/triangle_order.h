@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "techniques/common/context.h"
 #include "techniques/common/draw_list.h"
-#include "techniques/common/technique.h"
 
 namespace sb {
 
