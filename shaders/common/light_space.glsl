@@ -33,7 +33,7 @@ struct LightSample {
   float least;    // depth that is lit at any texel
 };
 
-// Face of a point light that looks at `d`: +x -x +y -y +z -z (techniques/common/light_data.cpp).
+// Face of a point light that looks at `d`: +x -x +y -y +z -z (techniques/scene/light_data.cpp).
 uint cubeFace(vec3 d) {
   vec3 a = abs(d);
   if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0u : 1u;

@@ -1,4 +1,4 @@
-// Random numbers of a texel and a surface, in the kinds of techniques/common/noise.h. In each, a
+// Random numbers of a texel and a surface, in the kinds of techniques/maps/noise.h. In each, a
 // surface draws numbers of its own at every texel: layers must be independent (spec 03, "Random
 // numbers"). Include scene.glsl, shared_hash.h and light_pass.glsl before.
 layout(constant_id = 21) const uint kNoise = 0u;       // NOISE_*

@@ -1,5 +1,5 @@
 // Optics of a material at a point (decision D8): one definition for C++ and GLSL. The table that
-// says what becomes what stands in techniques/common/optics.h.
+// says what becomes what stands in techniques/scene/optics.h.
 #ifndef SHADOWBENCH_SHARED_OPTICS_H
 #define SHADOWBENCH_SHARED_OPTICS_H
 

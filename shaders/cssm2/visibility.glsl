@@ -4,7 +4,7 @@
 #include "common/light_space.glsl"
 layout(constant_id = 19) const bool kColoured = true;
 // Wide only where 3 x 3 texels disagree. Where chance makes all nine alike they are believed: biased
-// toward the more likely of lit and blocked (techniques/cssm2.cpp).
+// toward the more likely of lit and blocked (techniques/methods/shadow/cssm2.cpp).
 layout(constant_id = 22) const bool kAdaptive = false;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_depthMap;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2DArray t_colourMap;

@@ -10,7 +10,7 @@ layout(location = 4) in vec4 v_color;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_opaqueMap;
 
 // Discards what is not there and what lies behind the first opaque surface; what lies in its plane
-// does not (the tolerance of techniques/common/translucent_maps.cpp). Gives what passes.
+// does not (the tolerance of techniques/maps/translucent_maps.cpp). Gives what passes.
 vec3 peelFragment() {
   float tolerance = 2e-6 * gl_FragCoord.z + fwidth(gl_FragCoord.z) / 32.0;
   ivec3 texel = ivec3(gl_FragCoord.xy, int(shadowViews[PASS_SHADOW_VIEW].origin.w));

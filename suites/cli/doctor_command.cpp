@@ -6,7 +6,7 @@
 #include "suites/cli/commands.h"
 #include "suites/cli/say.h"
 #include "suites/cli/vector_width.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "base/text.h"
 #include "reports/record.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/registry.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/render/registry.h"
 
 namespace sb {
 namespace {

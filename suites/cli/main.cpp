@@ -4,7 +4,7 @@
 
 #include "suites/cli/commands.h"
 #include "suites/cli/say.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace {
 

@@ -21,8 +21,8 @@
 #include "suites/cli/session.h"
 #include "suites/cli/stability_runs.h"
 #include "suites/cli/vector_width.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -5,7 +5,7 @@
 #include "backends/rhi/memory_limit.h"
 #include "reports/exr.h"
 #include "suites/truth/truth.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "backends/rhi/types.h"
 #include "suites/cli/options.h"
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

@@ -8,9 +8,9 @@
 #include "suites/cli/help.h"
 #include "suites/cli/output_files.h"
 #include "suites/harness/suite.h"
-#include "suites/scenes/procedural.h"
-#include "suites/scenes/scene_edit.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/edit/scene_edit.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

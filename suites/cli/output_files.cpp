@@ -8,7 +8,7 @@
 #include "reports/html/html.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/visibility_files.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

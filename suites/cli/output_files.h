@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "suites/cli/options.h"
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 #include "reports/atomic_file.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/vector_width.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);

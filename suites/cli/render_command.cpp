@@ -7,9 +7,9 @@
 #include "suites/cli/visibility_files.h"
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -9,7 +9,7 @@
 #include "suites/cli/say.h"
 #include "suites/metrics/blame.h"
 #include "suites/metrics/error_map.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -7,7 +7,7 @@
 #include "suites/cli/commands.h"
 #include "suites/cli/stability_runs.h"
 #include "suites/truth/truth_cache.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -1,10 +1,10 @@
 // bench scene: what is in a scene and what it calls for; export as .glb.
 #include "suites/cli/commands.h"
 #include "suites/cli/say.h"
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/describe.h"
-#include "suites/scenes/gltf_export.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/analysis/describe.h"
+#include "suites/scenes/gltf/export.h"
+#include "suites/scenes/procedural/procedural.h"
 
 namespace sb {
 

@@ -13,8 +13,8 @@
 #include "suites/cli/unfinished_runs.h"
 #include "suites/cli/vector_width.h"
 #include "suites/harness/scene_hash.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

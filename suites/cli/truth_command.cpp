@@ -17,10 +17,10 @@
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "suites/truth/truth_cache.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

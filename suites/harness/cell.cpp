@@ -1,8 +1,8 @@
 #include "suites/harness/cell.h"
 
 #include "base/text.h"
-#include "techniques/common/registry.h"
-#include "techniques/common/renderer.h"
+#include "techniques/render/registry.h"
+#include "techniques/render/renderer.h"
 
 namespace sb {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/common/knobs.h"
+#include "techniques/plan/knobs.h"
 
 namespace sb {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 

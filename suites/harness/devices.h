@@ -10,7 +10,7 @@
 #include "backends/rhi/device.h"
 #include "backends/rhi/validate/validator.h"
 #include "suites/harness/timer_trust.h"
-#include "techniques/common/renderer.h"
+#include "techniques/render/renderer.h"
 
 namespace sb {
 

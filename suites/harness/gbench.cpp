@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "reports/stats/stats.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/number.h"
 #include "base/pattern.h"
 #include "suites/harness/gbench.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

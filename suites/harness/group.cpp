@@ -13,9 +13,9 @@
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
 #include "suites/harness/verify.h"
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

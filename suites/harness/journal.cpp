@@ -14,7 +14,7 @@
 #include "reports/json_field.h"
 #include "reports/json_read.h"
 #include "reports/json_stability.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

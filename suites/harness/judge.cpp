@@ -10,7 +10,7 @@
 #include "suites/metrics/regions.h"
 #include "suites/metrics/weighted.h"
 #include "suites/truth/truth_cache.h"
-#include "techniques/common/registry.h"
+#include "techniques/render/registry.h"
 
 namespace sb {
 namespace {

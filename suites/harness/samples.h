@@ -8,7 +8,7 @@
 #include "reports/picture.h"
 #include "reports/record.h"
 #include "suites/harness/cell.h"
-#include "techniques/common/frame.h"
+#include "techniques/draw/frame.h"
 
 namespace sb {
 

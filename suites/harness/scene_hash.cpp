@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "reports/picture.h"
-#include "techniques/common/material_data.h"
+#include "techniques/scene/material_data.h"
 
 namespace sb {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

@@ -6,10 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
-#include "techniques/common/registry.h"
-#include "techniques/common/renderer.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
+#include "techniques/render/registry.h"
+#include "techniques/render/renderer.h"
 
 namespace sb {
 namespace {

@@ -20,7 +20,7 @@ struct Selection {
   std::vector<std::string> backends;    ///< default: those of `defaultBackends`
   std::vector<std::string> scenes;  ///< NAME[:param=value,...] or a file; default: the quick four
   std::vector<std::string> sets;    ///< "knob=v1,v2": a sweep
-  std::vector<std::string> edits;   ///< of every scene, see suites/scenes/scene_edit.h
+  std::vector<std::string> edits;   ///< of every scene, see suites/scenes/edit/scene_edit.h
   std::string filter;               ///< regular expression over names
   bool filterExcludes = false;      ///< the filter names what is left out
   std::optional<std::pair<uint32_t, uint32_t>> size;

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "suites/truth/tracer.h"
-#include "techniques/common/registry.h"
+#include "techniques/render/registry.h"
 
 namespace sb {
 namespace {

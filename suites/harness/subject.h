@@ -10,7 +10,7 @@
 #include "reports/record.h"
 #include "suites/harness/cell.h"
 #include "suites/harness/devices.h"
-#include "techniques/common/frame.h"
+#include "techniques/draw/frame.h"
 
 namespace sb {
 

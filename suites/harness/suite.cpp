@@ -9,8 +9,8 @@
 #include "reports/bounded_file.h"
 #include "suites/harness/builtin_suites.h"
 #include "suites/harness/suite_reader.h"
-#include "suites/scenes/scene_edit.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/edit/scene_edit.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -10,7 +10,7 @@
 //   grid.size = [512, 1024]          optional: every combination of these
 //   sweep.kernel = [1, 3, 9]         optional: one knob at a time, the others at their defaults
 //   camera = "eye=X,Y,Z,at=X,Y,Z"    optional; as are sun = "direction=X,Y,Z", motion = "..." and
-//   materials = ["GLOB:alpha=A"]     changes of the scenes (suites/scenes/scene_edit.h)
+//   materials = ["GLOB:alpha=A"]     changes of the scenes (suites/scenes/edit/scene_edit.h)
 // A knob that a technique does not have is left out for it. Beside runs, or without any:
 //   [[stability]]                    hard cases (suites/stability)
 //   cases = ["G1", ...]              optional: ids; without it all

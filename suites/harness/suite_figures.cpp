@@ -7,8 +7,8 @@
 #include "reports/figures/cells.h"
 #include "reports/figures/measure.h"
 #include "suites/harness/suite.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 

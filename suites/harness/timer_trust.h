@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/common/renderer.h"
+#include "techniques/render/renderer.h"
 
 namespace sb {
 

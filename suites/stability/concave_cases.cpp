@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "suites/scenes/mesh_tools.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/edit/mesh_tools.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "suites/stability/case.h"
 #include "suites/truth/tracer.h"
 

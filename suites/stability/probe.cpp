@@ -5,7 +5,7 @@
 
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/analysis.h"
+#include "suites/scenes/analysis/analysis.h"
 
 namespace sb {
 namespace {

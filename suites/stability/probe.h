@@ -7,8 +7,8 @@
 
 #include "reports/picture.h"
 #include "suites/truth/tracer.h"
-#include "techniques/common/registry.h"
-#include "techniques/common/renderer.h"
+#include "techniques/render/registry.h"
+#include "techniques/render/renderer.h"
 
 namespace sb {
 

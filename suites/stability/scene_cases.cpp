@@ -9,8 +9,8 @@
 
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/bounds.h"
-#include "suites/scenes/transform.h"
+#include "suites/scenes/analysis/bounds.h"
+#include "suites/scenes/edit/transform.h"
 
 namespace sb {
 namespace {

@@ -5,9 +5,9 @@
 #include <map>
 #include <numbers>
 
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "suites/stability/scene_cases.h"
-#include "techniques/common/optics.h"
+#include "techniques/scene/optics.h"
 
 namespace sb {
 namespace {

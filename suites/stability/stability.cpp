@@ -7,8 +7,8 @@
 #include "base/text.h"
 #include "suites/harness/cell.h"
 #include "suites/harness/selection.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

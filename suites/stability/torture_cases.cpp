@@ -4,8 +4,8 @@
 #include <random>
 
 #include "suites/harness/verify.h"
-#include "suites/scenes/shapes.h"
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

@@ -1,15 +1,15 @@
 // A scene as rays meet it: what a camera ray passes and where it ends, and how much of a light
 // arrives at a point (spec 16, camera path and transmittance along a shadow ray). Surfaces in one
-// plane (techniques/common/coplanar.h) are layers in the order of their keys and do not shadow each
+// plane (techniques/scene/coplanar.h) are layers in the order of their keys and do not shadow each
 // other; nothing is decided by a share of the distance from the eye.
 #pragma once
 
 #include "shaders/common/shared_shading.h"
 #include "suites/truth/surface.h"
 #include "suites/truth/tracer.h"
-#include "techniques/common/camera.h"
-#include "techniques/common/coplanar.h"
-#include "techniques/common/light_data.h"
+#include "techniques/scene/camera.h"
+#include "techniques/scene/coplanar.h"
+#include "techniques/scene/light_data.h"
 
 namespace sb {
 

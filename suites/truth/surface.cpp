@@ -2,7 +2,7 @@
 
 #include "shaders/common/shared_shading.h"
 #include "suites/truth/texture_sampler.h"
-#include "techniques/common/material_data.h"
+#include "techniques/scene/material_data.h"
 
 namespace sb {
 

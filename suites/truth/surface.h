@@ -6,8 +6,8 @@
 
 #include "shaders/common/shared_optics.h"
 #include "suites/truth/bvh.h"
-#include "techniques/common/optics.h"
-#include "techniques/common/scene.h"
+#include "techniques/scene/optics.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

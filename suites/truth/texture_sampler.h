@@ -2,7 +2,7 @@
 // bilinear or nearest, wrapped per axis, sRGB decoded before filtering.
 #pragma once
 
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

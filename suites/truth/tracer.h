@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "suites/truth/truth.h"
-#include "techniques/common/lookup_reach.h"
+#include "techniques/plan/lookup_reach.h"
 
 namespace sb {
 

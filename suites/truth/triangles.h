@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/common/scene.h"
+#include "techniques/scene/scene.h"
 
 namespace sb {
 

@@ -23,12 +23,12 @@ def readme_block(name):
 
 class AddingATechnique(Case):
     def compile_line(self, source, output):
-        """As techniques/none.cpp is compiled, for another file."""
+        """As techniques/methods/shadow/none.cpp is compiled, for another file."""
         with open(os.path.join(BUILD, "compile_commands.json")) as file:
-            entry, = [e for e in json.load(file) if e["file"].endswith("/techniques/none.cpp")]
+            entry, = [e for e in json.load(file) if e["file"].endswith("/techniques/methods/shadow/none.cpp")]
         words = shlex.split(entry["command"])
         words[words.index("-o") + 1] = output
-        return [source if w.endswith("/techniques/none.cpp") else w for w in words]
+        return [source if w.endswith("/techniques/methods/shadow/none.cpp") else w for w in words]
 
     def link_line(self, extra, output):
         commands = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", "bench"],
@@ -38,7 +38,7 @@ class AddingATechnique(Case):
         return re.sub(r"^: && (.*?) && :$", r"\1", line)
 
     def test_the_readme_compiles_as_written_and_is_measured(self):
-        source, shader = "techniques/my_technique.cpp", "shaders/my_technique/visibility.glsl"
+        source, shader = "techniques/methods/shadow/my_technique.cpp", "shaders/my_technique/visibility.glsl"
         with open(self.path("my_technique.cpp"), "w") as file:
             file.write(readme_block(source))
         shaders = self.path("shaders")

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "suites/scenes/gltf_export.h"
-#include "suites/scenes/gltf_loader.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/gltf/export.h"
+#include "suites/scenes/gltf/loader.h"
+#include "techniques/plan/error.h"
 
 namespace sb::fuzz {
 namespace {

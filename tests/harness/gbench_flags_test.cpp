@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/harness/gbench.h"
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "techniques/plan/error.h"
 #include "tests/reports/sample_run.h"
-#include "techniques/common/error.h"
 
 namespace sb {
 namespace {

@@ -3,8 +3,8 @@
 #include "suites/harness/certify.h"
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

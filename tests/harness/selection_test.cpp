@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 #include "tests/harness/named_backend.h"
 
 namespace sb::test {

@@ -5,8 +5,8 @@
 
 #include <set>
 
-#include "techniques/common/error.h"
-#include "techniques/common/registry.h"
+#include "techniques/plan/error.h"
+#include "techniques/render/registry.h"
 #include "tests/harness/named_backend.h"
 
 namespace sb::test {

@@ -1,15 +1,15 @@
 // Each effect on and off, and that what is culled could not have mattered.
-#include "suites/scenes/analysis.h"
+#include "suites/scenes/analysis/analysis.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "suites/scenes/describe.h"
-#include "suites/scenes/framing.h"
-#include "suites/scenes/procedural_scenes.h"
-#include "suites/scenes/transform.h"
+#include "suites/scenes/analysis/describe.h"
+#include "suites/scenes/edit/framing.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/scenes.h"
 
 namespace sb {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <map>
 
-#include "suites/scenes/gltf_export.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/gltf/export.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {

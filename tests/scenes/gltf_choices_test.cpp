@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/percent.h"
-#include "suites/scenes/bounds.h"
-#include "suites/scenes/framing.h"
-#include "suites/scenes/procedural.h"
-#include "suites/scenes/scene_edit.h"
+#include "suites/scenes/analysis/bounds.h"
+#include "suites/scenes/edit/framing.h"
+#include "suites/scenes/edit/scene_edit.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {

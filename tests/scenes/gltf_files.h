@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "suites/scenes/gltf_loader.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/gltf/loader.h"
+#include "techniques/plan/error.h"
 #include "tests/scenes/gltf_json.h"
 
 namespace sb::test {

@@ -1,8 +1,8 @@
 // Valid files in unusual forms become what glTF says they are.
 #include <cmath>
 
-#include "suites/scenes/image_codec.h"
-#include "techniques/common/optics.h"
+#include "suites/scenes/gltf/image_codec.h"
+#include "techniques/scene/optics.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {

@@ -1,5 +1,5 @@
 // Skins, morph targets, animations and instances as they stand at t = 0, and packed files.
-#include "suites/scenes/bounds.h"
+#include "suites/scenes/analysis/bounds.h"
 #include "tests/scenes/gltf_files.h"
 #include "tests/scenes/gltf_packed.h"
 

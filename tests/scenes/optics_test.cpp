@@ -1,9 +1,9 @@
 // Decision D8, worked by hand, and the classes that follow from it.
-#include "techniques/common/optics.h"
+#include "techniques/scene/optics.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/common/effects.h"
+#include "techniques/plan/effects.h"
 
 namespace sb {
 namespace {

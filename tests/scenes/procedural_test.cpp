@@ -1,14 +1,14 @@
 // Procedural scenes: specs, determinism, and what the source document says of each.
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/bounds.h"
-#include "suites/scenes/view_volume.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/analysis/bounds.h"
+#include "suites/scenes/analysis/view_volume.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -1,11 +1,11 @@
 // Changes that a scene's spec carries: camera, sun, materials by glob; wrong ones are named.
-#include "suites/scenes/scene_edit.h"
+#include "suites/scenes/edit/scene_edit.h"
 
 #include <gtest/gtest.h>
 
-#include "suites/scenes/framing.h"
-#include "suites/scenes/procedural.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/edit/framing.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "suites/scenes/gltf_loader.h"
-#include "techniques/common/error.h"
+#include "suites/scenes/gltf/loader.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {
@@ -60,7 +60,7 @@ size_t validatorErrors(const fs::path& file) {
 }
 
 /// Files of the validator's set whose only fault cannot change the picture: they load, and the
-/// policy that says so is in suites/scenes/EXTRAS.md.
+/// policy that says so is in suites/scenes/gltf/EXTRAS.md.
 const std::set<std::string> kHarmless = {"accessor/byteoffset_no_bufferview.gltf",
                                          "accessor/empty_array.gltf",
                                          "accessor/float_normalized.gltf",

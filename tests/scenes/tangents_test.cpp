@@ -2,8 +2,8 @@
 // map gives, also where the picture or the mesh is mirrored.
 #include <gtest/gtest.h>
 
-#include "suites/scenes/mesh_tools.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/edit/mesh_tools.h"
+#include "suites/scenes/procedural/shapes.h"
 
 namespace sb::test {
 namespace {

@@ -1,14 +1,14 @@
 // Transforms of whole scenes: what they change, and that keys and data stay with what they name.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "suites/scenes/bounds.h"
-#include "suites/scenes/mesh_tools.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/analysis/bounds.h"
+#include "suites/scenes/edit/mesh_tools.h"
+#include "suites/scenes/procedural/procedural.h"
 
 namespace sb {
 namespace {

@@ -4,9 +4,9 @@
 #include "backends/null/null_backend.h"
 #include "backends/rhi/memory_limit.h"
 #include "suites/harness/devices.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "suites/stability/stability.h"
-#include "techniques/common/registry.h"
+#include "techniques/render/registry.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);

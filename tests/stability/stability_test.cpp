@@ -2,7 +2,7 @@
 // construction, and what must be found is found.
 #include "suites/stability/stability.h"
 
-#include "techniques/common/error.h"
+#include "techniques/plan/error.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

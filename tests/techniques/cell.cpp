@@ -3,7 +3,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "suites/scenes/analysis.h"
+#include "suites/scenes/analysis/analysis.h"
 
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "reports/picture.h"
-#include "techniques/common/renderer.h"
+#include "techniques/render/renderer.h"
 
 namespace sb::test {
 

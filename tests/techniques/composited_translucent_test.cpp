@@ -1,7 +1,7 @@
 // Composited translucent shadows on the drivers: every partition against the truth and against each
 // other, spec 05's worked example and invariants, conflicts, and the source's two counter-examples
 // of peeling.
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/cssm2_helpers.h"
 

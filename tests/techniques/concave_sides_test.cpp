@@ -1,13 +1,13 @@
 // Which sides of triangles a mesh rises before: flat and convex ones have none, bowls one, folds of
 // both kinds both.
-#include "techniques/common/concave_sides.h"
+#include "techniques/scene/concave_sides.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "suites/scenes/procedural.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "suites/scenes/procedural/shapes.h"
 
 using namespace sb;
 

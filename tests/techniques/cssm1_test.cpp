@@ -1,7 +1,7 @@
 // CSSM1 (spec 04): its layers are CSSM2's channels bit by bit, whatever sends casters there; means,
 // order, hardware comparison. And CSSM2's adaptive filter.
-#include "suites/scenes/procedural.h"
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "tests/techniques/cssm2_helpers.h"
 
 using namespace sb;

@@ -2,7 +2,7 @@
 // and t in {0, 1}, formats (spec 04, invariants 3-8).
 #include <algorithm>
 
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/cssm2_helpers.h"
 
 using namespace sb;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "suites/harness/verify.h"
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

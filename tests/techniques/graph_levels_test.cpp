@@ -1,14 +1,14 @@
 // Levels of graphs against brute force, outlines, and the rule of batches against its definition.
-#include "techniques/common/graph_levels.h"
+#include "techniques/partition/graph_levels.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "techniques/common/hull2.h"
-#include "techniques/common/light_batches.h"
-#include "techniques/common/light_levels.h"
+#include "techniques/partition/light_batches.h"
+#include "techniques/partition/light_levels.h"
+#include "techniques/scene/hull2.h"
 
 namespace sb {
 namespace {

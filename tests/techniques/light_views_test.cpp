@@ -1,12 +1,12 @@
 // Light frusta without a GPU: snapping of a moving view (spec 01, invariant 7 and P9), translation
 // by texels, the depth step of spec 01's worked example.
-#include "techniques/common/light_views.h"
+#include "techniques/draw/light_views.h"
 
 #include <gtest/gtest.h>
 
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/transform.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/shapes.h"
 
 namespace sb::test {
 namespace {

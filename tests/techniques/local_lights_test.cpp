@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 #include "tests/techniques/tracer.h"
 
 using namespace sb;

@@ -1,7 +1,7 @@
 // A camera in motion: every frame of its path is, bit by bit, the frame of a camera that stands
 // there with the same plan, for every technique; and the path does not depend on where in the world
 // it lies.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/motion_scenes.h"
 

@@ -2,8 +2,8 @@
 // view, which lights touch it, who throws shadows, and the order of translucent surfaces.
 #pragma once
 
-#include "suites/scenes/camera_path.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/edit/camera_path.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/cell.h"
 
 namespace sb::test {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "backends/null/null_backend.h"
-#include "suites/scenes/analysis.h"
-#include "techniques/common/view_path.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "techniques/draw/view_path.h"
 #include "tests/techniques/motion_scenes.h"
 
 namespace sb::test {

@@ -1,6 +1,6 @@
 // Kinds of random numbers (spec 03): right in the mean over seeds where they claim to be, and wrong
 // by what the spec says where they do not; p = 0 and p = 1; strata; textures only when asked for.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/cssm2_helpers.h"
 
 using namespace sb;

@@ -1,5 +1,5 @@
 // Tiles of noise: contents, and what makes blue noise blue.
-#include "techniques/common/noise_tiles.h"
+#include "techniques/maps/noise_tiles.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Depth and colour maps bit-identical across APIs, pictures within one step of 255 on every pixel;
 // OSMesa equal to EGL and every run equal to the last, bit by bit.
 #include "suites/harness/verify.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "tests/techniques/gpu_cell.h"
 
 namespace sb::test {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "backends/null/null_backend.h"
-#include "suites/scenes/analysis.h"
-#include "suites/scenes/shapes.h"
-#include "techniques/common/registry.h"
+#include "suites/scenes/analysis/analysis.h"
+#include "suites/scenes/procedural/shapes.h"
+#include "techniques/render/registry.h"
 #include "tests/techniques/cell.h"
 
 namespace sb::test {

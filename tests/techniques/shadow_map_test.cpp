@@ -2,8 +2,8 @@
 // 01, invariants 1-5; spec 17, G11).
 #include <cmath>
 
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 #include "tests/techniques/tracer.h"
 
 using namespace sb;

@@ -1,7 +1,7 @@
 // Sorted transparency: the worked example of spec 15 (A), the two ways of sorting, permutations.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 
 using namespace sb;
 using namespace sb::test;

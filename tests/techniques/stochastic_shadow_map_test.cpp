@@ -1,5 +1,5 @@
 // Stochastic shadow maps (spec 03): worked example, invariants, opacity, several samples a texel.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/cssm2_helpers.h"
 
 using namespace sb;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "techniques/common/optics.h"
+#include "techniques/scene/optics.h"
 
 namespace sb::test {
 

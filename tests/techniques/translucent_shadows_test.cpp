@@ -1,6 +1,6 @@
 // Translucent shadows on the drivers: spec 02's worked example, table and invariants, the error
 // that remains by construction, and its rows of spec 17.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/cssm2_helpers.h"
 
 using namespace sb;

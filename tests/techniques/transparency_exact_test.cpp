@@ -1,6 +1,6 @@
 // Transparency techniques that compose exactly (spec 15; B, C, E): the worked example, agreement
 // with each other and with sorting, permutations, opaque and absent layers, energy, pass counts.
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/transparency_scenes.h"
 
 using namespace sb;

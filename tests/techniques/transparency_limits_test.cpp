@@ -2,7 +2,7 @@
 // coplanar surfaces.
 #include <cmath>
 
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/transparency_scenes.h"
 
 using namespace sb;

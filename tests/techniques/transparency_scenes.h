@@ -2,8 +2,8 @@
 // tangle of panes that cross each other.
 #pragma once
 
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"
-#include "suites/scenes/shapes.h"
 
 namespace sb::test {
 

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "suites/scenes/transform.h"
+#include "suites/scenes/edit/transform.h"
 #include "tests/techniques/transparency_scenes.h"
 
 using namespace sb;

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "suites/metrics/error.h"
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/gpu_cell.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "suites/scenes/random.h"
+#include "suites/scenes/procedural/random.h"
 #include "suites/truth/bvh.h"
 #include "suites/truth/watertight.h"
 

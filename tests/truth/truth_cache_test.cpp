@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 
 namespace sb {

@@ -3,7 +3,7 @@
 // those of others.
 #include <filesystem>
 
-#include "suites/scenes/procedural.h"
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/gpu_cell.h"
 

@@ -2,7 +2,7 @@
 // around a lookup.
 #include <gtest/gtest.h>
 
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "suites/scenes/procedural.h"
-#include "suites/scenes/transform.h"
-#include "suites/scenes/shapes.h"
+#include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/procedural.h"
+#include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

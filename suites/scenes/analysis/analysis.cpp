@@ -1,0 +1,201 @@
+#include "suites/scenes/analysis/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "suites/scenes/analysis/parts.h"
+#include "techniques/scene/mesh_shape.h"
+
+namespace sb {
+namespace {
+
+std::string count(size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+// Notes one effect after another with its reason.
+class Notes {
+ public:
+  explicit Notes(Effects& effects) : m_effects(effects) {}
+  void note(Effect effect, bool present, const std::string& why, const std::string& whyNot) {
+    if (present) m_effects.present.add(effect);
+    m_effects.reason[effect] = present ? why : whyNot;
+  }
+
+ private:
+  Effects& m_effects;
+};
+
+// Instances that some light lists, each once.
+std::vector<uint32_t> castersOf(const Effects& effects, std::vector<uint32_t> LightEffects::*list) {
+  std::vector<uint32_t> all;
+  for (const LightEffects& light : effects.lights)
+    all.insert(all.end(), (light.*list).begin(), (light.*list).end());
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
+  const auto note = [&](Effect effect, std::vector<uint32_t> LightEffects::*list,
+                        const std::string& kind) {
+    const size_t n = castersOf(effects, list).size();
+    notes.note(effect, n > 0, count(n, kind + " instance") + " may throw shadows into the view",
+               "no " + kind + " instance can throw a shadow into the view");
+  };
+  note(Effect::OpaqueCasters, &LightEffects::opaqueCasters, "opaque");
+  note(Effect::PerforatedCasters, &LightEffects::perforatedCasters, "alpha-masked");
+  note(Effect::TranslucentCasters, &LightEffects::translucentCasters, "translucent");
+  size_t coloured = 0, textured = 0;
+  for (const uint32_t i : castersOf(effects, &LightEffects::translucentCasters)) {
+    coloured += a.instances[i].traits.coloured;
+    textured += a.instances[i].traits.textured;
+  }
+  notes.note(Effect::ColouredTransmission, coloured > 0,
+             count(coloured, "translucent caster") + " let colours through unequally",
+             "no translucent caster has a transmission colour");
+  notes.note(
+      Effect::TexturedTransmission, textured > 0,
+      count(textured, "translucent caster") + " vary over their surface (texture or colours)",
+      "no translucent caster varies over its surface");
+}
+
+void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
+  size_t receivers = 0;
+  for (const AnalysedInstance& instance : a.instances)
+    receivers +=
+        instance.visible && instance.lit && (instance.seeThrough() || instance.passesLight());
+  const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
+  notes.note(Effect::TranslucentReceivers, receivers > 0 && casts,
+             count(receivers, "visible translucent instance") + " may receive shadows",
+             receivers == 0 ? "no lit translucent instance is visible"
+                            : "nothing throws a shadow into the view");
+  Overlap overlap;
+  for (const LightEffects& light : effects.lights)
+    if (!overlap.found() && light.touchesView) overlap = findShadowOverlap(a, light);
+  const auto name = [&](uint32_t i) { return "'" + a.scene.instances[i].name + "'"; };
+  notes.note(Effect::TranslucentOverlap, overlap.found(),
+             !overlap.found() ? ""
+             : overlap.first == overlap.second
+                 ? name(overlap.first) + " is not flat and may shadow itself"
+                 : name(overlap.first) + " and " + name(overlap.second) +
+                       " may overlap as the light sees them",
+             "no visible translucent instance lies in another's shadow");
+}
+
+void noteLights(const Analysis& a, const Effects& effects, bool mediumBetween, Notes& notes) {
+  size_t touching = 0, local = 0, area = 0;
+  for (const LightEffects& light : effects.lights) {
+    if (!light.touchesView) continue;
+    const Light& source = a.scene.lights[light.light];
+    ++touching;
+    local += source.type != LightType::Directional;
+    area += source.radius > 0;
+  }
+  notes.note(Effect::AreaLights, area > 0, count(area, "light") + " with a radius touch the view",
+             "no light that touches the view has a radius");
+  notes.note(Effect::MultipleLights, touching > 1, count(touching, "light") + " touch the view",
+             touching == 0 ? "no light touches the view" : "one light touches the view");
+  notes.note(Effect::LocalLights, local > 0,
+             count(local, "point or spot light") + " touch the view",
+             "no point or spot light touches the view");
+  const size_t seen = size_t(std::ranges::count(a.mediumSeen, true));
+  notes.note(Effect::ParticipatingMedia, seen > 0 || mediumBetween,
+             seen > 0 ? count(seen, "medium box") + " in view"
+                      : "a medium lies between a light and the view",
+             a.media.empty() ? "the scene has no medium"
+                             : "no medium is in view or between a light and the view");
+}
+
+void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
+  const size_t through = effects.visibleTranslucent.size();
+  notes.note(Effect::CameraTransparency, through > 0,
+             "the camera sees through " + count(through, "instance"),
+             "the camera sees through nothing");
+  const Overlap overlap = findScreenOverlap(a);
+  const auto name = [&](uint32_t i) { return "'" + a.scene.instances[i].name + "'"; };
+  notes.note(
+      Effect::CameraLayers, overlap.found(),
+      !overlap.found() ? ""
+      : overlap.first == overlap.second
+          ? name(overlap.first) + " is not flat and may cover itself"
+          : name(overlap.first) + " and " + name(overlap.second) + " may overlap in the picture",
+      through < 2 ? "fewer than two see-through surfaces are visible"
+                  : "see-through instances do not overlap in the picture");
+  const auto glass = [&](uint32_t i) { return a.instances[i].traits.cameraColoured; };
+  const size_t coloured = size_t(std::ranges::count_if(effects.visibleTranslucent, glass));
+  notes.note(Effect::ColouredTransparency, coloured > 0,
+             "the camera sees through glass in " + count(coloured, "instance") +
+                 ": each channel has a weight of its own",
+             "no visible surface transmits what lies behind");
+  size_t mapped = 0, emitting = 0;
+  for (size_t i = 0; i < a.instances.size(); ++i) {
+    if (!a.instances[i].visible) continue;
+    const Material& m = a.scene.materials[a.scene.meshes[a.scene.instances[i].mesh].material];
+    mapped += m.normalTexture.present();
+    emitting += m.unlit || m.emissive != glm::vec3(0);
+  }
+  notes.note(Effect::NormalMaps, mapped > 0,
+             count(mapped, "visible instance") + " have a normal map",
+             "no visible instance has a normal map");
+  notes.note(Effect::Emission, emitting > 0,
+             count(emitting, "visible instance") + " emit light or are unlit",
+             "no visible instance emits light or is unlit");
+}
+
+}  // namespace
+
+SceneTraits::SceneTraits(const Scene& scene) {
+  for (const Material& material : scene.materials)
+    materials.push_back(materialTraits(scene, material));
+  for (const Mesh& mesh : scene.meshes) {
+    const MaterialTraits& t = materials.at(mesh.material);
+    const bool matters = t.cameraTranslucent || t.lightClass == MaterialClass::Translucent;
+    flat.push_back(matters && planeOf(mesh).has_value());
+  }
+}
+
+Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect)
+    : scene(s), eye(camera.eye()), view(camera, aspect) {
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes.at(instance.mesh);
+    AnalysedInstance& a = instances.emplace_back();
+    a.box = instanceBox(scene, instance, eye);
+    a.traits = traits.materials[mesh.material];
+    a.visible = !mesh.indices.empty() && view.mayShow(a.box);
+    a.lit = !scene.materials[mesh.material].unlit;
+    a.flat = traits.flat[instance.mesh];
+  }
+  for (const Medium& medium : scene.media) {
+    media.push_back(transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, eye));
+    mediumSeen.push_back(view.mayShow(media.back()));
+  }
+}
+
+Effects analyseView(const Analysis& a) {
+  Effects effects;
+  for (uint32_t i = 0; i < a.instances.size(); ++i)
+    if (a.instances[i].visible)
+      (a.instances[i].seeThrough() ? effects.visibleTranslucent : effects.visibleOpaque)
+          .push_back(i);
+  bool mediumBetween = false;
+  for (uint32_t i = 0; i < a.scene.lights.size(); ++i)
+    effects.lights.push_back(analyseLight(a, i, mediumBetween));
+  Notes notes(effects);
+  noteCasters(a, effects, notes);
+  noteOverlap(a, effects, notes);
+  noteLights(a, effects, mediumBetween, notes);
+  noteView(a, effects, notes);
+  return effects;
+}
+
+Effects analyse(const Scene& scene, double aspect) {
+  const SceneTraits traits(scene);
+  if (scene.path.empty()) return analyseView(Analysis(scene, traits, scene.camera(), aspect));
+  std::vector<Effects> steps;
+  for (const Camera& camera : scene.path)
+    steps.push_back(analyseView(Analysis(scene, traits, camera, aspect)));
+  return uniteSteps(std::move(steps));
+}
+
+}  // namespace sb

@@ -1,0 +1,15 @@
+// What a scene calls for, seen through its camera: the input of every plan (design, section 3).
+// Conservative throughout: boxes stand for what they hold, so an effect may be reported that no
+// pixel shows, never the other way round. All positions are taken relative to the eye, in double.
+#pragma once
+
+#include "techniques/plan/effects.h"
+#include "techniques/scene/scene.h"
+
+namespace sb {
+
+/// Analyses `scene` for pictures of `aspect` = width / height through its first camera, or through
+/// all cameras of its path.
+Effects analyse(const Scene& scene, double aspect);
+
+}  // namespace sb

@@ -1,0 +1,59 @@
+// One light: does it touch the view, and who can throw its shadow there.
+#include <algorithm>
+
+#include "suites/scenes/analysis/parts.h"
+
+namespace sb {
+namespace {
+
+// Bounds around everything the light shades in the picture: boxes of visible surfaces and media, cut
+// to the view.
+Bounds receiverBounds(const Analysis& analysis, const LightReach& reach) {
+  Bounds bounds;
+  const auto add = [&](const Bounds& box) {
+    const Bounds seen = box.clippedTo(analysis.view.bounds());
+    if (!seen.empty() && reach.mayLight(seen)) bounds.add(seen);
+  };
+  for (const AnalysedInstance& instance : analysis.instances)
+    if (instance.visible && instance.lit) add(instance.box);
+  for (size_t m = 0; m < analysis.media.size(); ++m)
+    if (analysis.mediumSeen[m]) add(analysis.media[m]);
+  return bounds;
+}
+
+}  // namespace
+
+LightEffects analyseLight(const Analysis& analysis, uint32_t index, bool& mediumBetween) {
+  LightEffects light;
+  light.light = index;
+  const LightReach reach(analysis.scene.lights[index], analysis.eye);
+  const Bounds receivers = receiverBounds(analysis, reach);
+  light.touchesView = !receivers.empty();
+  if (!light.touchesView) return light;
+
+  const Bounds turned = reach.directional() ? reach.toLightSpace(receivers) : Bounds();
+  const auto mayCast = [&](const Bounds& box) {
+    return reach.directional()
+               ? LightReach::sweptTouches(reach.toLightSpace(box), turned, reach.spread())
+               : reach.mayShadow(box, receivers);
+  };
+  for (uint32_t i = 0; i < analysis.instances.size(); ++i) {
+    const AnalysedInstance& instance = analysis.instances[i];
+    if (!mayCast(instance.box)) continue;
+    switch (instance.traits.lightClass) {
+      case MaterialClass::Opaque:
+        light.opaqueCasters.push_back(i);
+        break;
+      case MaterialClass::Perforated:
+        light.perforatedCasters.push_back(i);
+        break;
+      case MaterialClass::Translucent:
+        light.translucentCasters.push_back(i);
+        break;
+    }
+  }
+  mediumBetween |= std::ranges::any_of(analysis.media, mayCast);
+  return light;
+}
+
+}  // namespace sb

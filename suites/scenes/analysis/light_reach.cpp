@@ -1,0 +1,85 @@
+#include "suites/scenes/analysis/light_reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sb {
+namespace {
+
+double squaredDistance(glm::dvec3 p, const Bounds& box) {
+  const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0));
+  return glm::dot(away, away);
+}
+
+// False only if the sphere lies outside the cone.
+bool coneTouches(glm::dvec3 apex, glm::dvec3 axis, double angle, glm::dvec3 center, double radius) {
+  if (angle >= 1.5707963) return true;
+  const glm::dvec3 v = center - apex;
+  const double along = glm::dot(v, axis);
+  const double aside = std::sqrt(std::max(glm::dot(v, v) - along * along, 0.0));
+  const double outside = aside * std::cos(angle) - along * std::sin(angle);
+  return outside <= radius && along >= -radius;
+}
+
+}  // namespace
+
+LightReach::LightReach(const Light& light, glm::dvec3 origin)
+    : m_directional(light.type == LightType::Directional),
+      m_dark(!(light.intensity > 0) ||
+             std::max({light.color.r, light.color.g, light.color.b}) <= 0),
+      m_cone(light.type == LightType::Spot),
+      m_position(light.position - origin),
+      m_direction(light.direction),
+      m_range(light.range > 0 ? light.range : std::numeric_limits<double>::infinity()),
+      m_radius(m_directional ? 0 : light.radius),
+      m_outerCone(light.outerCone) {
+  const glm::dvec3 z = light.direction;
+  const glm::dvec3 other = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x = glm::normalize(glm::cross(other, z));
+  m_toLight = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
+  if (m_directional) m_spread = std::tan(std::min(light.radius, 1.5));
+}
+
+bool LightReach::mayLight(const Bounds& box) const {
+  if (m_dark || box.empty()) return false;
+  if (m_directional) return true;
+  const double reach = m_range + m_radius;
+  if (squaredDistance(m_position, box) > reach * reach * (1 + 1e-6)) return false;
+  if (!m_cone) return true;
+  // What lies behind the apex gets nothing, however near (the sphere below may reach around it).
+  const auto ahead = [&](int i) {
+    return glm::dot(box.corner(i) - m_position, m_direction) >= -m_radius - 1e-6 * box.radius();
+  };
+  bool any = m_outerCone >= 1.5707963;
+  for (int i = 0; i < 8; ++i) any |= ahead(i);
+  return any && coneTouches(m_position, m_direction, m_outerCone, box.center(),
+                            box.radius() * (1 + 1e-6) + m_radius);
+}
+
+Bounds LightReach::toLightSpace(const Bounds& box) const {
+  Bounds turned;
+  for (int i = 0; i < 8; ++i) turned.add(m_toLight * box.corner(i));
+  turned.grow(1e-6 * (turned.radius() + glm::length(turned.center())));
+  return turned;
+}
+
+bool LightReach::sweptTouches(const Bounds& caster, const Bounds& receiver, double spread) {
+  if (!(caster.low.z <= receiver.high.z)) return false;
+  const double aside = spread * (receiver.high.z - caster.low.z);
+  return caster.low.x - aside <= receiver.high.x && receiver.low.x <= caster.high.x + aside &&
+         caster.low.y - aside <= receiver.high.y && receiver.low.y <= caster.high.y + aside;
+}
+
+bool LightReach::mayShadow(const Bounds& caster, const Bounds& receiver) const {
+  if (caster.empty() || receiver.empty()) return false;
+  if (m_directional) return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
+  if (!mayLight(caster)) return false;
+  // All rays in question lie in the box around light and receiver.
+  Bounds between{m_position, m_position};
+  between.grow(m_radius);
+  between.add(receiver);
+  between.grow(1e-6 * (between.radius() + glm::length(between.center())));
+  return between.touches(caster);
+}
+
+}  // namespace sb

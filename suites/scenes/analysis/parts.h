@@ -1,0 +1,60 @@
+// Working data of the analysis. Internal to suites/scenes.
+#pragma once
+
+#include <string>
+
+#include "suites/scenes/analysis/light_reach.h"
+#include "techniques/plan/effects.h"
+#include "techniques/scene/optics.h"
+
+namespace sb {
+
+/// One instance as the analysis sees it.
+struct AnalysedInstance {
+  Bounds box;  ///< relative to the eye
+  MaterialTraits traits;
+  bool visible = false;  ///< may lie in the view
+  bool lit = false;      ///< its material is shaded by lights
+  bool flat = false;     ///< its triangles lie in one plane: it cannot shadow or cover itself
+  bool seeThrough() const { return traits.cameraTranslucent; }
+  bool passesLight() const { return traits.lightClass == MaterialClass::Translucent; }
+};
+
+/// What does not depend on the camera.
+struct SceneTraits {
+  explicit SceneTraits(const Scene& scene);
+  std::vector<MaterialTraits> materials;
+  std::vector<uint8_t> flat;  ///< by mesh, where it matters
+};
+
+struct Analysis {
+  Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect);
+  const Scene& scene;
+  glm::dvec3 eye;
+  ViewVolume view;
+  std::vector<AnalysedInstance> instances;
+  std::vector<Bounds> media;        ///< relative to the eye
+  std::vector<bool> mediumSeen;  ///< in the view
+};
+
+/// What the scene calls for through one camera.
+Effects analyseView(const Analysis& analysis);
+/// What a path calls for, of the analyses of its steps.
+Effects uniteSteps(std::vector<Effects> steps);
+
+/// Fills `light`'s part of the effects. `mediumBetween` becomes true if a medium can dim the light
+/// on its way to what is visible.
+LightEffects analyseLight(const Analysis& analysis, uint32_t light, bool& mediumBetween);
+
+/// Two instances' indices; first == second: one instance with itself.
+struct Overlap {
+  uint32_t first = kNone, second = kNone;
+  bool found() const { return first != kNone; }
+};
+/// A visible translucent surface that another translucent one (or another part of itself) may
+/// shadow under `light`. Stops at the first.
+Overlap findShadowOverlap(const Analysis& analysis, const LightEffects& light);
+/// Two visible see-through surfaces, or parts of one, that may overlap in the picture.
+Overlap findScreenOverlap(const Analysis& analysis);
+
+}  // namespace sb

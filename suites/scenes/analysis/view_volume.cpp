@@ -1,0 +1,75 @@
+#include "suites/scenes/analysis/view_volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sb {
+namespace {
+
+// Boxes and planes are computed in double; what touches within this share of its distance is kept,
+// for the raster works in float.
+constexpr double kSlack = 1e-6;
+
+}  // namespace
+
+ViewVolume::ViewVolume(const Camera& camera, double aspect)
+    : m_toView(glm::transpose(glm::dmat3(camera.toWorld))),
+      m_near(camera.nearPlane),
+      m_orthographic(camera.orthographic) {
+  const double halfY = m_orthographic ? camera.halfHeight : std::tan(0.5 * camera.fovY);
+  const double halfX = halfY * aspect;
+  m_scaleX = 1 / halfX, m_scaleY = 1 / halfY;
+  const glm::dmat3 toWorld(camera.toWorld);
+  const auto plane = [&](glm::dvec3 normal, double offset) {
+    const double length = glm::length(normal);
+    return Plane{toWorld * normal / length, offset / length};
+  };
+  m_planes[0] = plane({0, 0, -1}, -camera.nearPlane);
+  m_planes[1] = plane({0, 0, 1}, camera.farPlane);
+  const double z = m_orthographic ? 0 : -1, o = m_orthographic ? 1 : 0;
+  m_planes[2] = plane({1, 0, z * halfX}, o * halfX);
+  m_planes[3] = plane({-1, 0, z * halfX}, o * halfX);
+  m_planes[4] = plane({0, 1, z * halfY}, o * halfY);
+  m_planes[5] = plane({0, -1, z * halfY}, o * halfY);
+  for (const double depth : {camera.nearPlane, camera.farPlane}) {
+    const double reach = m_orthographic ? 1 : depth;
+    for (const double x : {-halfX, halfX})
+      for (const double y : {-halfY, halfY})
+        m_bounds.add(toWorld * glm::dvec3(x * reach, y * reach, -depth));
+  }
+  m_bounds.grow(kSlack * m_bounds.radius());
+}
+
+bool ViewVolume::mayShow(const Bounds& box) const {
+  if (box.empty()) return false;
+  for (const Plane& plane : m_planes) {
+    const glm::dvec3 furthest(plane.normal.x > 0 ? box.high.x : box.low.x,
+                              plane.normal.y > 0 ? box.high.y : box.low.y,
+                              plane.normal.z > 0 ? box.high.z : box.low.z);
+    if (glm::dot(plane.normal, furthest) + plane.offset < -kSlack * glm::length(furthest))
+      return false;
+  }
+  return true;
+}
+
+bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
+  return std::ranges::all_of(m_planes, [&](const Plane& plane) {
+    return glm::dot(plane.normal, center) + plane.offset >=
+           -radius - kSlack * (glm::length(center) + radius);
+  });
+}
+
+Bounds ViewVolume::onScreen(const Bounds& box) const {
+  Bounds screen;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 p = m_toView * box.corner(i);
+    if (!m_orthographic && -p.z < m_near) return {{-1, -1, 0}, {1, 1, 0}};
+    const double w = m_orthographic ? 1 : -p.z;
+    screen.add({p.x * m_scaleX / w, p.y * m_scaleY / w, 0});
+  }
+  screen.grow(kSlack);
+  screen.low.z = screen.high.z = 0;
+  return screen;
+}
+
+}  // namespace sb

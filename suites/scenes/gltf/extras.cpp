@@ -1,0 +1,123 @@
+// The keys of ours that a glTF file may carry under `extras.shadowbench`, where other viewers leave
+// them alone (described for users in EXTRAS.md):
+//   material  {"alpha": 0..1, "t": [r,g,b] 0..1}   opacity and transmission colour stated outright
+//   light     {"radius": r >= 0}                   world units (point, spot) or radians
+//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
+//              "albedo": [r,g,b] 0..1, "anisotropy": -1..1, "seed": 0..}}
+//                                                  fills the node's unit cube [0,1]^3
+//   scene     {"ambient": [r,g,b] >= 0, "sky": [r,g,b] >= 0, "background": [r,g,b] >= 0}
+#include <array>
+#include <cfloat>
+#include <cmath>
+
+#include "suites/scenes/gltf/context.h"
+#include "techniques/plan/error.h"
+
+namespace sb {
+namespace {
+
+using tinygltf::Value;
+
+// The object `extras.shadowbench`, or null. Unknown keys in it are errors: they are meant for us.
+const Value* shadowbench(const GltfContext& context, const std::string& field, const Value& extras,
+                         const std::vector<std::string>& known) {
+  if (!extras.IsObject() || !extras.Has("shadowbench")) return nullptr;
+  const Value& ours = extras.Get("shadowbench");
+  const std::string path = field + ".extras.shadowbench";
+  if (!ours.IsObject()) context.fail(path, "expected an object");
+  for (const std::string& key : ours.Keys())
+    if (std::ranges::find(known, key) == known.end())
+      context.fail(path, unknownName("key", key, known));
+  return &ours;
+}
+
+double number(const GltfContext& context, const std::string& field, const Value& value, double low,
+              double high) {
+  const double d = value.IsNumber() ? value.GetNumberAsDouble() : NAN;
+  if (!(d >= low && d <= high)) {
+    if (d > FLT_MAX)
+      context.fail(field, "is " + shown(d) + ", expected a number that a 32-bit float can hold");
+    const std::string range = high < FLT_MAX ? "from " + shown(low) + " to " + shown(high)
+                                                  : "of at least " + shown(low);
+    context.fail(field, (value.IsNumber() ? "is " + shown(d) : "is no number") +
+                            ", expected a number " + range);
+  }
+  return d;
+}
+
+glm::vec3 triple(const GltfContext& context, const std::string& field, const Value& value,
+                 double high) {
+  if (!value.IsArray() || value.ArrayLen() != 3)
+    context.fail(field, "expected an array of 3 numbers");
+  glm::vec3 v;
+  for (int i = 0; i < 3; ++i)
+    v[i] = float(number(context, fieldAt(field, size_t(i)), value.Get(size_t(i)), 0, high));
+  return v;
+}
+
+}  // namespace
+
+void readMaterialExtras(const GltfContext& context, const std::string& field, const Value& extras,
+                        Material& material) {
+  const Value* ours = shadowbench(context, field, extras, {"alpha", "t"});
+  if (!ours) return;
+  const std::string path = field + ".extras.shadowbench";
+  material.opticsOverride = true;
+  if (ours->Has("alpha"))
+    material.overrideAlpha = float(number(context, path + ".alpha", ours->Get("alpha"), 0, 1));
+  if (ours->Has("t"))
+    material.overrideTransmission = triple(context, path + ".t", ours->Get("t"), 1);
+}
+
+double readLightRadius(const GltfContext& context, const std::string& field, const Value& extras) {
+  const Value* ours = shadowbench(context, field, extras, {"radius"});
+  if (!ours || !ours->Has("radius")) return 0;
+  return number(context, field + ".extras.shadowbench.radius", ours->Get("radius"), 0, FLT_MAX);
+}
+
+void readMediumExtras(GltfContext& context, const std::string& field, const Value& extras,
+                      const glm::dmat4& toWorld) {
+  const Value* ours = shadowbench(context, field, extras, {"medium"});
+  if (!ours || !ours->Has("medium")) return;
+  const Value& value = ours->Get("medium");
+  const std::string path = field + ".extras.shadowbench.medium";
+  if (!value.IsObject()) context.fail(path, "expected an object");
+  const std::vector<std::string> known = {"kind", "extinction", "albedo", "anisotropy", "seed"};
+  for (const std::string& key : value.Keys())
+    if (std::ranges::find(known, key) == known.end())
+      context.fail(path, unknownName("key", key, known));
+  Medium medium;
+  medium.boxToWorld = toWorld;
+  if (value.Has("kind")) {
+    const Value& kind = value.Get("kind");
+    const std::string name = kind.IsString() ? kind.Get<std::string>() : "";
+    const std::vector<std::string> kinds = {"homogeneous", "smoke"};
+    if (std::ranges::find(kinds, name) == kinds.end())
+      context.fail(path + ".kind", unknownName("kind of medium", name, kinds));
+    medium.kind = name == "smoke" ? MediumKind::Smoke : MediumKind::Homogeneous;
+  }
+  if (!value.Has("extinction")) context.fail(path + ".extinction", "is missing");
+  medium.extinction = triple(context, path + ".extinction", value.Get("extinction"), FLT_MAX);
+  if (value.Has("albedo"))
+    medium.albedo = triple(context, path + ".albedo", value.Get("albedo"), 1);
+  if (value.Has("anisotropy"))
+    medium.anisotropy =
+        float(number(context, path + ".anisotropy", value.Get("anisotropy"), -1, 1));
+  if (value.Has("seed"))
+    medium.seed = uint32_t(number(context, path + ".seed", value.Get("seed"), 0, 4294967295.0));
+  context.scene.media.push_back(medium);
+}
+
+void readSceneExtras(GltfContext& context, const std::string& field, const Value& extras) {
+  const Value* ours = shadowbench(context, field, extras, {"ambient", "sky", "background"});
+  if (!ours) return;
+  const std::string path = field + ".extras.shadowbench";
+  if (ours->Has("ambient"))
+    context.scene.ambient = triple(context, path + ".ambient", ours->Get("ambient"), FLT_MAX);
+  if (ours->Has("sky")) context.scene.sky = triple(context, path + ".sky", ours->Get("sky"), FLT_MAX);
+  if (ours->Has("background"))
+    context.scene.background =
+        triple(context, path + ".background", ours->Get("background"), FLT_MAX);
+}
+
+}  // namespace sb

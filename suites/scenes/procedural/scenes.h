@@ -1,0 +1,41 @@
+// The makers behind the registry, and what they share. Internal to suites/scenes.
+#pragma once
+
+#include <map>
+
+#include "suites/scenes/procedural/procedural.h"
+
+namespace sb {
+
+/// Values of every parameter of a scene, by name.
+using ParamValues = std::map<std::string, double, std::less<>>;
+
+struct ProceduralScene {
+  SceneInfo info;
+  Scene (*make)(const ParamValues&);
+};
+
+ProceduralScene spheresQuads();
+ProceduralScene layers();
+ProceduralScene panes();
+ProceduralScene roseWindow();
+ProceduralScene teapot();
+
+/// Adds a mesh or an instance, with keys in order. Returns its index.
+uint32_t addMesh(Scene& scene, Mesh mesh);
+uint32_t addInstance(Scene& scene, std::string name, uint32_t mesh, const glm::dmat4& toWorld);
+uint32_t addMaterial(Scene& scene, Material material);
+/// A double-sided rectangle in its plane z = 0, from -half to half, normal +z, u right, v down.
+Mesh quadMesh(std::string name, uint32_t material, glm::vec2 half);
+/// A unit sphere of `rings` x 2 rings quads (poles of triangles), smooth normals, outward.
+Mesh sphereMesh(std::string name, uint32_t material, uint32_t rings);
+/// A white light that travels along `direction`; a facing white diffuse surface gets radiance 1.
+Light sunLight(glm::dvec3 direction, double angularRadius);
+/// Matte material of one linear colour.
+Material matteMaterial(std::string name, glm::vec3 colour);
+/// alphaMode BLEND, double-sided, matte.
+Material paneMaterial(std::string name, glm::vec3 colour, float alpha);
+/// The parameter every scene with a directional light has.
+SceneParam sunRadiusParam();
+
+}  // namespace sb

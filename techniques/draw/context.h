@@ -1,0 +1,21 @@
+// What everything that prepares passes for one cell shares.
+#pragma once
+
+#include "techniques/draw/pipeline_cache.h"
+#include "techniques/draw/scene_view.h"
+#include "techniques/plan/knobs.h"
+#include "techniques/plan/plan.h"
+
+namespace sb {
+
+/// A device and the scene view, plan and knobs of a cell on it.
+struct Context {
+  rhi::Device& device;
+  const rhi::ShaderLibrary& shaders;
+  PipelineCache& pipelines;
+  SceneView& view;
+  const Plan& plan;
+  const Knobs& knobs;
+};
+
+}  // namespace sb

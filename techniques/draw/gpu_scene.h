@@ -1,0 +1,63 @@
+// A scene's unchanging data on one device: vertices, indices, triangle records, materials, textures.
+// Cells of the same scene share it. What depends on the camera is in SceneView.
+#pragma once
+
+#include <vector>
+
+#include "backends/rhi/device.h"
+#include "techniques/scene/coplanar_surfaces.h"
+
+namespace sb {
+
+class GpuScene {
+ public:
+  /// Uploads everything and waits. The scene must outlive this object. Throws rhi::Error when the
+  /// device refuses (out of memory, texture too large).
+  GpuScene(rhi::Device& device, const Scene& scene);
+
+  const Scene& scene() const { return m_scene; }
+  bool textured() const { return m_textured; }
+
+  struct MeshRange {
+    uint32_t firstIndex = 0;
+    uint32_t indexCount = 0;
+    int32_t vertexOffset = 0;
+    uint32_t firstTriangle = 0;  ///< into the triangle records
+  };
+  const MeshRange& mesh(uint32_t index) const { return m_meshes[index]; }
+  /// A light may see an instance rise before itself (concave_sides.h).
+  bool rises(uint32_t instance) const { return m_rises[instance]; }
+
+  /// Surfaces that lie over others in one plane.
+  const CoplanarSurfaces& coplanar() const { return m_coplanar; }
+
+  /// Vertex buffer 0: positions (12 bytes); vertex buffer 1: the other attributes.
+  rhi::BufferId positions() const { return m_positions; }
+  rhi::BufferId attributes() const { return m_attributes; }
+  rhi::BufferId indices() const { return m_indices; }
+  static std::vector<rhi::VertexBufferLayout> vertexLayout(bool withAttributes);
+  static std::vector<rhi::VertexAttribute> vertexAttributes(bool withAttributes);
+
+  /// Slots that never change: materials, triangles, and a material's textures.
+  rhi::Binding materials() const;
+  rhi::Binding triangles() const;
+  const std::vector<rhi::Binding>& textures(uint32_t material) const {
+    return m_textureBindings[material];
+  }
+
+ private:
+  void uploadMeshes(rhi::Device& device);
+  void uploadMaterials(rhi::Device& device);
+
+  const Scene& m_scene;
+  CoplanarSurfaces m_coplanar;
+  bool m_textured = false;
+  std::vector<MeshRange> m_meshes;
+  std::vector<bool> m_rises;
+  rhi::Buffer m_positions, m_attributes, m_indices, m_triangles, m_materials;
+  std::vector<rhi::Texture> m_textures;
+  std::vector<rhi::Sampler> m_samplers;
+  std::vector<std::vector<rhi::Binding>> m_textureBindings;
+};
+
+}  // namespace sb

@@ -1,0 +1,198 @@
+#include "techniques/draw/scene_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "shaders/common/shared_slots.h"
+#include "techniques/draw/view_path.h"
+#include "techniques/scene/light_data.h"
+
+namespace sb {
+namespace {
+
+/// All but where it stands relative to the eye.
+gpu::InstanceData instanceData(const Scene& scene, const Instance& instance,
+                               const GpuScene::MeshRange& range) {
+  const glm::dmat3 linear(instance.toWorld);
+  // Cofactors, not the inverse transpose: no division, and right for singular transforms too.
+  const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                            glm::cross(linear[0], linear[1]));
+  gpu::InstanceData d{};
+  glm::vec4* rows = &d.toRelative0;
+  glm::vec4* normals = &d.normal0;
+  for (int r = 0; r < 3; ++r) {
+    rows[r] = glm::vec4(glm::dvec4(linear[0][r], linear[1][r], linear[2][r], 0));
+    normals[r] = glm::vec4(glm::dvec4(cofactor[0][r], cofactor[1][r], cofactor[2][r], 0));
+  }
+  d.normal0.w = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  d.ids = {mesh.material, instance.key, range.firstTriangle, mesh.key};
+  return d;
+}
+
+rhi::Buffer makeStorage(rhi::Device& device, const char* label, uint64_t bytes,
+                        rhi::BufferUse use = rhi::BufferUse::Storage) {
+  return device.createBuffer({.label = label,
+                              .size = std::max<uint64_t>(16, bytes),
+                              .use = use | rhi::BufferUse::CopyTarget});
+}
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& data) {
+  return std::as_bytes(std::span(data));
+}
+
+}  // namespace
+
+SceneView::SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
+                     rhi::Extent2D size, uint32_t seed)
+    : m_gpu(gpuScene), m_effects(effects), m_shown(&effects), m_size(size), m_seed(seed) {
+  const uint64_t align = device.info().limits.uniformAlignment;
+  m_drawStride = (sizeof(gpu::DrawData) + align - 1) / align * align;
+  for (const Instance& instance : scene().instances)
+    m_instanceData.push_back(instanceData(scene(), instance, m_gpu.mesh(instance.mesh)));
+  createBuffers(device);
+  look(scene().camera(), m_effects);
+  writeAll(uploadsTo(device));
+}
+
+void SceneView::createBuffers(rhi::Device& device) {
+  std::vector<std::byte> draws(std::max<size_t>(1, m_instanceData.size()) * m_drawStride);
+  for (uint32_t i = 0; i < m_instanceData.size(); ++i) {
+    const gpu::DrawData draw{.ids = {i, NO_SHADOW, 0, 0}};
+    std::memcpy(draws.data() + drawOffset(i), &draw, sizeof draw);
+  }
+  m_draws = makeStorage(device, "view draws", draws.size(), rhi::BufferUse::Uniform);
+  device.upload(m_draws, 0, draws);
+  m_instances = makeStorage(device, "view instances", bytesOf(m_instanceData).size());
+  m_frame = makeStorage(device, "view frame", sizeof(gpu::FrameData), rhi::BufferUse::Uniform);
+  // Only lights that touch the view exist for the shaders.
+  const auto lights = std::ranges::count_if(m_effects.lights, &LightEffects::touchesView);
+  m_lights = makeStorage(device, "view lights", uint64_t(lights) * sizeof(gpu::LightData));
+  m_shadowViews = makeStorage(device, "view shadow views", 0);
+  const CoplanarSurfaces& coplanar = m_gpu.coplanar();
+  if (!coplanar.empty()) {
+    const CameraMatrices any = cameraMatrices(scene().camera(), aspect());
+    m_coplanar = makeStorage(device, "view coplanar surfaces",
+                             bytesOf(coplanar.words(any, m_size.width, m_size.height)).size());
+  }
+  bind();
+}
+
+void SceneView::bind() {
+  m_bindings = {rhi::uniformAt(UNIFORM_DRAW, m_draws, 0, sizeof(gpu::DrawData)),
+                rhi::uniformAt(UNIFORM_FRAME, m_frame, 0, sizeof(gpu::FrameData)),
+                rhi::storageAt(STORAGE_INSTANCES, m_instances),
+                rhi::storageAt(STORAGE_LIGHTS, m_lights),
+                // Scenes without such surfaces do not read it.
+                rhi::storageAt(STORAGE_COPLANAR, m_coplanar ? m_coplanar.id() : m_instances.id()),
+                rhi::storageAt(STORAGE_SHADOW_VIEWS, m_shadowViews),
+                m_gpu.materials(),
+                m_gpu.triangles()};
+}
+
+SceneView::Write SceneView::uploadsTo(rhi::Device& device) {
+  return [&device](rhi::BufferId buffer, std::span<const std::byte> bytes) {
+    device.upload(buffer, 0, bytes);
+  };
+}
+
+void SceneView::look(const Camera& camera, const ViewEffects& shown) {
+  m_shown = &shown;
+  m_camera = cameraMatrices(camera, aspect());
+  for (uint32_t i = 0; i < m_instanceData.size(); ++i) {
+    const glm::vec3 place(glm::dvec3(scene().instances[i].toWorld[3]) - m_camera.eye);
+    glm::vec4* rows = &m_instanceData[i].toRelative0;
+    for (int r = 0; r < 3; ++r) rows[r].w = place[r];
+  }
+}
+
+void SceneView::look(uint32_t step) {
+  const Camera& camera = scene().path[step];
+  const ViewEffects& shown = m_effects.steps[step];
+  look(camera, shown);
+  m_step = step;
+  if (m_fit)
+    m_lightViews = placeViews(m_united, fitLights(scene(), shown, camera, aspect(), *m_fit));
+}
+
+void SceneView::moveTo(rhi::CommandList& commands, uint32_t step) {
+  look(step);
+  writeAll([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
+    if (!bytes.empty()) commands.write(buffer, 0, bytes);
+  });
+}
+
+void SceneView::alongPath(rhi::Device& device, const std::function<void()>& visit) {
+  for (uint32_t k = 0; k < m_effects.steps.size(); ++k) {
+    look(k);
+    writeAll(uploadsTo(device));
+    visit();
+  }
+  if (m_effects.steps.empty()) return visit();
+  look(scene().camera(), m_effects);
+  m_lightViews = m_united;
+  writeAll(uploadsTo(device));
+}
+
+void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& settings) {
+  m_fit = settings;
+  std::vector<std::vector<LightView>> steps;
+  for (size_t k = 0; k < m_effects.steps.size(); ++k)
+    steps.push_back(fitLights(scene(), m_effects.steps[k], scene().path[k], aspect(), settings));
+  if (steps.empty())
+    steps.push_back(fitLights(scene(), m_effects, scene().camera(), aspect(), settings));
+  m_lightViews = m_united = uniteViews(steps);
+  const auto filled = [](const std::vector<LightView>& views) {
+    return std::ranges::count_if(views, [](const LightView& v) { return !v.empty(); });
+  };
+  m_firstHasAll = filled(steps.front()) == filled(m_united);
+  m_shadowViews =
+      makeStorage(device, "view shadow views", m_united.size() * sizeof(gpu::ShadowViewData));
+  bind();
+  writeLights(uploadsTo(device));
+}
+
+void SceneView::setSeed(rhi::Device& device, uint32_t seed) {
+  m_seed = seed;
+  writeFrame(uploadsTo(device));
+}
+
+void SceneView::writeAll(const Write& write) {
+  write(m_instances, bytesOf(m_instanceData));
+  if (m_coplanar)
+    write(m_coplanar, bytesOf(m_gpu.coplanar().words(m_camera, m_size.width, m_size.height)));
+  writeFrame(write);
+  writeLights(write);
+}
+
+void SceneView::writeFrame(const Write& write) const {
+  const auto lights = std::ranges::count_if(m_shown->lights, &LightEffects::touchesView);
+  const gpu::FrameData frame{.viewProjection = glm::mat4(m_camera.viewProjection),
+                             .ambient = glm::vec4(scene().ambient, 0),
+                             .counts = {uint32_t(lights), m_size.width, m_size.height, m_seed},
+                             .eye = glm::vec4(m_camera.eye, 1),
+                             .sky = glm::vec4(scene().sky, 0)};
+  write(m_frame, std::as_bytes(std::span(&frame, 1)));
+}
+
+void SceneView::writeLights(const Write& write) const {
+  std::vector<gpu::LightData> lights;
+  std::vector<gpu::ShadowViewData> shadowViews;
+  for (const LightView& view : m_lightViews) shadowViews.push_back(view.data);
+  for (const LightEffects& effects : m_shown->lights) {
+    if (!effects.touchesView) continue;
+    gpu::LightData d = lightData(scene().lights[effects.light], effects.light, m_camera.eye);
+    const auto first = std::ranges::find(m_lightViews, effects.light, &LightView::light);
+    if (effects.casts() && first != m_lightViews.end()) {
+      d.ids.y = uint32_t(first - m_lightViews.begin());
+      d.ids.z = uint32_t(std::ranges::count(m_lightViews, effects.light, &LightView::light));
+    }
+    lights.push_back(d);
+  }
+  write(m_lights, bytesOf(lights));
+  write(m_shadowViews, bytesOf(shadowViews));
+}
+
+}  // namespace sb

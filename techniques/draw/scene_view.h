@@ -1,0 +1,92 @@
+// A GpuScene seen by one camera: instance transforms relative to the eye, lights, light views,
+// per-draw data. Uploaded when the camera is set: a frame of a standing camera uploads nothing. A
+// camera in motion moves within each frame, and what depends on it is written through the frame's
+// own commands; while techniques prepare, the view shows the whole path at once: effects() and
+// lightViews() hold what any step has, so that pipelines and buffers are made for all of them.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "shaders/common/shared_types.h"
+#include "techniques/draw/gpu_scene.h"
+#include "techniques/draw/light_views.h"
+#include "techniques/plan/effects.h"
+#include "techniques/scene/camera.h"
+
+namespace sb {
+
+class SceneView {
+ public:
+  /// `effects` is the analysis of scene and camera; both must outlive the view.
+  SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
+            rhi::Extent2D size, uint32_t seed);
+
+  const Scene& scene() const { return m_gpu.scene(); }
+  const GpuScene& gpu() const { return m_gpu; }
+  /// What the camera shows where it stands now.
+  const ViewEffects& effects() const { return *m_shown; }
+  rhi::Extent2D size() const { return m_size; }
+  double aspect() const { return double(m_size.width) / double(m_size.height); }
+  uint32_t seed() const { return m_seed; }
+  const CameraMatrices& camera() const { return m_camera; }
+
+  /// Frames of a loop of the camera's path; 1: it stands.
+  uint32_t steps() const { return std::max<uint32_t>(1, uint32_t(m_effects.steps.size())); }
+  /// Where on its path the camera stands; 0 without one.
+  uint32_t step() const { return m_step; }
+  /// Goes to a step: camera, transforms, lights, and the fit of every light.
+  void moveTo(rhi::CommandList& commands, uint32_t step);
+  /// Calls `visit` at every step in turn (at once where the camera stands), uploading in between.
+  /// For preparing: what differs between steps.
+  void alongPath(rhi::Device& device, const std::function<void()>& visit);
+
+  /// Fits the lights, now and in every step to come, and tells the shaders which light views belong
+  /// to which light. Lights without views are lit.
+  void fitLightViews(rhi::Device& device, const LightFitSettings& settings);
+  /// Empty when nothing asked for them. Each view keeps its place along a path.
+  const std::vector<LightView>& lightViews() const { return m_lightViews; }
+  /// Every light view that ever has casters has some at the first step too: its frame writes all
+  /// layers of a shadow map.
+  bool firstStepHasAllViews() const { return m_firstHasAll; }
+  /// Other random numbers from the next frame on. Call between frames.
+  void setSeed(rhi::Device& device, uint32_t seed);
+
+  /// Slots common to every pass: draw (dynamic offset), frame, instances, materials, lights, shadow
+  /// views, triangles. The draw binding is the first element.
+  const std::vector<rhi::Binding>& bindings() const { return m_bindings; }
+  /// Offset of the draw binding for an instance.
+  uint64_t drawOffset(uint32_t instance) const { return uint64_t(instance) * m_drawStride; }
+  uint64_t drawStride() const { return m_drawStride; }
+
+ private:
+  using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
+  void createBuffers(rhi::Device& device);
+  void bind();
+  /// Where a camera stands and what it shows; the light views are set by the caller.
+  void look(const Camera& camera, const ViewEffects& shown);
+  void look(uint32_t step);
+  void writeAll(const Write& write);
+  void writeFrame(const Write& write) const;
+  void writeLights(const Write& write) const;
+  static Write uploadsTo(rhi::Device& device);
+
+  const GpuScene& m_gpu;
+  const Effects& m_effects;
+  const ViewEffects* m_shown;
+  rhi::Extent2D m_size;
+  uint32_t m_seed;
+  uint32_t m_step = 0;
+  CameraMatrices m_camera;
+  std::optional<LightFitSettings> m_fit;
+  std::vector<LightView> m_united;  ///< views of all steps
+  bool m_firstHasAll = true;
+  std::vector<LightView> m_lightViews;
+  std::vector<gpu::InstanceData> m_instanceData;
+  uint64_t m_drawStride = 256;
+  rhi::Buffer m_draws, m_frame, m_instances, m_lights, m_shadowViews, m_coplanar;
+  std::vector<rhi::Binding> m_bindings;
+};
+
+}  // namespace sb

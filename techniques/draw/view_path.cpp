@@ -1,0 +1,55 @@
+#include "techniques/draw/view_path.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace sb {
+namespace {
+
+// Views are fitted light by light, face by face; both lists are in scene order.
+std::tuple<uint32_t, uint32_t> placeOf(const LightView& view) { return {view.light, view.face}; }
+
+void addAll(std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
+  std::vector<uint32_t> both;
+  std::ranges::set_union(to, from, std::back_inserter(both));
+  to = std::move(both);
+}
+
+}  // namespace
+
+std::vector<LightView> uniteViews(const std::vector<std::vector<LightView>>& steps) {
+  std::vector<LightView> united;
+  for (const std::vector<LightView>& step : steps)
+    for (const LightView& view : step) {
+      auto at = std::ranges::lower_bound(united, placeOf(view), {}, placeOf);
+      if (at == united.end() || placeOf(*at) != placeOf(view)) {
+        united.insert(at, view);
+        continue;
+      }
+      addAll(at->opaque, view.opaque);
+      addAll(at->perforated, view.perforated);
+      addAll(at->translucent, view.translucent);
+    }
+  float layer = 0;
+  for (LightView& view : united) view.data.origin.w = view.empty() ? -1.0f : layer++;
+  return united;
+}
+
+std::vector<LightView> placeViews(const std::vector<LightView>& united,
+                                  std::vector<LightView> step) {
+  std::vector<LightView> placed;
+  placed.reserve(united.size());
+  auto next = step.begin();
+  for (const LightView& slot : united) {
+    const bool present = next != step.end() && placeOf(*next) == placeOf(slot);
+    if (present)
+      placed.push_back(std::move(*next++));
+    else
+      placed.push_back({.data = slot.data, .light = slot.light, .face = slot.face});
+    placed.back().data.origin.w = placed.back().empty() ? -1.0f : slot.data.origin.w;
+  }
+  return placed;
+}
+
+}  // namespace sb

@@ -1,0 +1,53 @@
+#include "techniques/plan/error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace sb {
+namespace {
+
+size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t(0));
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const bool same = std::tolower((unsigned char)a[i - 1]) == std::tolower((unsigned char)b[j - 1]);
+      const size_t substitute = diagonal + (same ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::vector<std::string> nearestNames(std::string_view name, std::span<const std::string> names,
+                                      size_t count) {
+  std::vector<std::pair<size_t, std::string>> ranked;
+  for (const std::string& candidate : names) {
+    const bool prefix = !name.empty() && candidate.starts_with(name);
+    ranked.emplace_back(prefix ? 0 : editDistance(name, candidate), candidate);
+  }
+  std::ranges::sort(ranked);
+  std::vector<std::string> nearest;
+  for (const auto& [distance, candidate] : ranked)
+    if (nearest.size() < count) nearest.push_back(candidate);
+  return nearest;
+}
+
+std::string unknownName(std::string_view kind, std::string_view name,
+                        std::span<const std::string> names) {
+  std::string text = "unknown " + std::string(kind) + " '" + std::string(name) + "'";
+  const auto nearest = nearestNames(name, names);
+  if (nearest.empty()) return text + "; there are none";
+  text += "; did you mean ";
+  for (size_t i = 0; i < nearest.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == nearest.size() ? " or " : ", ") + nearest[i];
+  return text + "?";
+}
+
+}  // namespace sb

@@ -1,0 +1,40 @@
+// The list of techniques. Objects register themselves before main (link the techniques as an OBJECT
+// library: an archive would drop them).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "techniques/render/technique.h"
+
+namespace sb {
+
+template <class T>
+struct Registered {
+  TechniqueInfo info;
+  std::function<std::unique_ptr<T>()> make;
+};
+using ShadowEntry = Registered<ShadowTechnique>;
+using TransparencyEntry = Registered<TransparencyTechnique>;
+
+/// All registered, sorted by name ("none" first, for it is the baseline).
+std::vector<const ShadowEntry*> shadowTechniques();
+std::vector<const TransparencyEntry*> transparencyTechniques();
+/// Throws InputError with the nearest names.
+const ShadowEntry& shadowTechnique(std::string_view name);
+const TransparencyEntry& transparencyTechnique(std::string_view name);
+
+namespace detail {
+bool add(ShadowEntry entry);
+bool add(TransparencyEntry entry);
+}  // namespace detail
+
+/// Line at the end of a technique's file. `Type` derives from ShadowTechnique or
+/// TransparencyTechnique; what follows is its TechniqueInfo, whose commas are the macro's too.
+#define REGISTER_TECHNIQUE(Base, Type, ...)                        \
+  [[maybe_unused]] const bool kRegistered##Type = sb::detail::add( \
+      sb::Registered<sb::Base>{__VA_ARGS__, [] { return std::unique_ptr<sb::Base>(new Type); }})
+
+}  // namespace sb

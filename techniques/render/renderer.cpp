@@ -1,0 +1,132 @@
+#include "techniques/render/renderer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "techniques/draw/texels.h"
+
+namespace sb {
+namespace {
+
+std::map<std::string, uint64_t> difference(std::map<std::string, uint64_t> after,
+                                           const std::map<std::string, uint64_t>& before) {
+  for (const auto& [label, bytes] : before) {
+    after[label] -= bytes;
+    if (after[label] == 0) after.erase(label);
+  }
+  return after;
+}
+
+}  // namespace
+
+std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency) {
+  std::vector<KnobInfo> knobs = technique.knobs;
+  knobs.insert(knobs.end(), transparency.knobs.begin(), transparency.knobs.end());
+  return knobs;
+}
+
+std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
+                                     const TechniqueInfo& transparency, const Knobs& knobs,
+                                     EffectSet present) {
+  if (technique.drawsInParts && technique.drawsInParts(knobs) &&
+      !(transparency.drawsParts && transparency.drawsParts(knobs)))
+    return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
+                     transparency.name + " does not draw those one after another"};
+  // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03, P2).
+  std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
+  needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
+  needed.insert(needed.end(), transparency.requires_.begin(), transparency.requires_.end());
+  for (const TechniqueInfo* info : {&technique, &transparency})
+    for (const auto& [effect, feature] : info->requiresFor)
+      if (present.has(effect) && !device.supports(feature))
+        return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature)) +
+                         ", which " + info->name + " needs for " +
+                         std::string(effectName(effect))};
+  for (rhi::Feature feature : needed)
+    if (!device.supports(feature))
+      return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature))};
+  return {};
+}
+
+Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
+                   RendererDesc desc)
+    : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
+  const auto before = device.device.ledger().bytesByLabel();
+  const TechniqueInfo& info = m_desc.technique->info;
+  m_plan = makePlan(effects, info.represents | m_desc.transparency->info.represents, m_desc.forced);
+  m_view = std::make_unique<SceneView>(device.device, gpuScene, effects, m_desc.size, m_desc.seed);
+
+  // Without a light that casts there is no shadow to compute: lighting alone, whatever the technique.
+  const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
+  std::string folder = "none";
+  VisibilityInputs inputs;
+  if (casts) {
+    m_technique = m_desc.technique->make();
+    m_technique->prepare(context());
+    // While the view shows the whole path, every layer is drawn; steps that lack some read it.
+    if (!m_view->firstStepHasAllViews())
+      m_runner.run(FrameMode::Plain, [&](Frame& frame) { m_technique->record(frame); });
+    inputs = m_technique->inputs();
+    folder = inputs.folder.empty() ? info.folder : inputs.folder;
+  }
+  m_camera = std::make_unique<CameraPass>(context(), folder, std::move(inputs),
+                                          m_desc.transparency);
+  m_bytes = difference(device.device.ledger().bytesByLabel(), before);
+}
+
+Context Renderer::context() {
+  return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
+}
+
+void Renderer::moveCamera(Frame& frame, uint32_t step) {
+  frame.between("camera moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
+    m_view->moveTo(commands, step);
+    if (m_technique) m_technique->cameraMoved(frame);
+    m_camera->cameraMoved(frame);
+  });
+}
+
+FrameResult Renderer::frame(FrameMode mode) {
+  const uint32_t next = m_at ? (*m_at + 1) % steps() : 0;
+  const uint32_t step = m_standing.value_or(next);
+  // Decided here: a frame that is recorded twice (FrameRunner) moves twice.
+  const bool moves = steps() > 1 && m_at != step;
+  m_at = step;
+  return m_runner.run(mode, [&](Frame& frame) {
+    if (moves) moveCamera(frame, step);
+    if (m_technique) m_technique->record(frame);
+    m_camera->recordOpaque(frame);
+    const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};
+    if (parts.empty()) m_camera->recordTranslucent(frame);
+    for (size_t i = 0; i < parts.size(); ++i) {
+      m_technique->recordPart(frame, i);
+      m_camera->recordTranslucent(frame, parts[i]);
+    }
+  });
+}
+
+std::vector<float> Renderer::readImage() {
+  return halfToFloat(m_device.device.read(m_camera->color()));
+}
+
+std::vector<VisibilityImage> Renderer::readVisibility(uint32_t light) {
+  if (!m_visibility) m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera, m_technique.get(),
+                                                    m_device.queries);
+  return m_visibility->render(light);
+}
+
+uint32_t Renderer::lightCount() const {
+  return uint32_t(std::ranges::count_if(m_view->effects().lights, &LightEffects::touchesView));
+}
+
+uint32_t Renderer::sceneLight(uint32_t light) const {
+  for (const LightEffects& effects : m_view->effects().lights)
+    if (effects.touchesView && light-- == 0) return effects.light;
+  throw std::out_of_range("no such light touches the view");
+}
+
+LookupReach Renderer::reach(uint32_t sceneLight) const {
+  return m_technique ? m_technique->reach(sceneLight) : LookupReach{};
+}
+
+}  // namespace sb

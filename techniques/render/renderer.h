@@ -1,0 +1,93 @@
+// One cell of the matrix, ready to render: a technique and a transparency technique on a scene view
+// of a device. Made outside timed regions; `frame` is what is measured.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "techniques/render/camera_pass.h"
+#include "techniques/render/visibility_buffer.h"
+
+namespace sb {
+
+/// What a device keeps for all its cells.
+struct DeviceContext {
+  rhi::Device& device;
+  const rhi::ShaderLibrary& shaders;
+  PipelineCache& pipelines;
+  FrameQueries& queries;
+};
+
+struct RendererDesc {
+  const ShadowEntry* technique = nullptr;
+  const TransparencyEntry* transparency = nullptr;
+  Knobs knobs;  ///< of both techniques together
+  rhi::Extent2D size;
+  uint32_t seed = 0;
+  EffectSet forced;  ///< tests only, see makePlan
+};
+
+/// Knobs of a pair: names are unique across both.
+std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency);
+
+/// Why a device cannot run a pair with these knobs on a scene that calls for `present`, or nothing.
+std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
+                                     const TechniqueInfo& transparency, const Knobs& knobs,
+                                     EffectSet present);
+
+class Renderer {
+ public:
+  /// `effects` and `gpuScene` must outlive the renderer. Throws rhi::Error when the device refuses.
+  Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
+           RendererDesc desc);
+
+  /// A camera in motion advances by one step of its path, from the first to the last and again;
+  /// moving, and all that follows from it, is part of the frame.
+  FrameResult frame(FrameMode mode = FrameMode::Plain);
+  /// Frames of a loop; 1: the camera stands.
+  uint32_t steps() const { return m_view->steps(); }
+  /// From the next frame on the camera stands at a step of its path: where it is anyway costs
+  /// nothing.
+  void standAt(uint32_t step) { m_standing = step; }
+  /// At the last step, which is where the truth's camera stands.
+  void standStill() { standAt(steps() - 1); }
+
+  /// The last frame's picture, linear RGBA, row 0 = bottom row (clip y = -1).
+  std::vector<float> readImage();
+  /// Visibility of a light (index among those that touch the view), see VisibilityBuffer::render.
+  std::vector<VisibilityImage> readVisibility(uint32_t light);
+  uint32_t lightCount() const;  ///< lights that touch the view
+  /// Index into Scene::lights of a light that touches the view.
+  uint32_t sceneLight(uint32_t light) const;
+  /// Around a receiver of a light (index into Scene::lights), how far lookups of the technique go.
+  LookupReach reach(uint32_t sceneLight) const;
+  /// Frames from now on draw other random numbers. Call between frames.
+  void setSeed(uint32_t seed) { m_view->setSeed(m_device.device, seed); }
+
+  /// What the last frame left out, for people. Call between frames.
+  std::vector<std::string> warnings() { return m_camera->warnings(); }
+
+  const Plan& plan() const { return m_plan; }
+  const SceneView& view() const { return *m_view; }
+  ShadowTechnique* technique() { return m_technique.get(); }  ///< null: the plan needs no shadows
+  /// What this cell alone keeps on the device, bytes by label.
+  const std::map<std::string, uint64_t>& bytesByLabel() const { return m_bytes; }
+
+ private:
+  Context context();
+  void moveCamera(Frame& frame, uint32_t step);
+
+  DeviceContext m_device;
+  RendererDesc m_desc;
+  Plan m_plan;
+  std::unique_ptr<SceneView> m_view;
+  std::unique_ptr<ShadowTechnique> m_technique;
+  std::unique_ptr<CameraPass> m_camera;
+  std::unique_ptr<VisibilityBuffer> m_visibility;
+  FrameRunner m_runner;
+  std::map<std::string, uint64_t> m_bytes;
+  std::optional<uint32_t> m_at;        ///< step of the last frame
+  std::optional<uint32_t> m_standing;  ///< step that frames stay at
+};
+
+}  // namespace sb

@@ -1,0 +1,99 @@
+// What a technique is. Two kinds of plug-in answer two questions:
+//   ShadowTechnique        which fraction of a light's RGB radiance arrives at a receiver
+//   TransparencyTechnique  in which order translucent surfaces meet the camera
+// Each is one .cpp with a REGISTER_ line at its end and one folder of shaders; nothing else in the
+// program names it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "techniques/draw/context.h"
+#include "techniques/draw/frame.h"
+#include "techniques/plan/lookup_reach.h"
+
+namespace sb {
+
+class CameraPass;
+
+/// Effects that shading represents whatever the technique.
+constexpr EffectSet kShadingEffects = {Effect::MultipleLights, Effect::LocalLights,
+                                       Effect::NormalMaps, Effect::Emission};
+
+/// What a technique says of itself: read by the matrix, the help text, the README and the reports.
+struct TechniqueInfo {
+  std::string name;    ///< as users type it: "CSSM2"
+  std::string folder;  ///< of its shaders: "cssm2"
+  std::string title;   ///< one line for people
+  std::string paper;   ///< authors, year, section
+  EffectSet represents;
+  std::vector<rhi::Feature> requires_;
+  /// What a device must have besides where the scene calls for an effect.
+  std::map<Effect, rhi::Feature> requiresFor;
+  std::vector<KnobInfo> knobs;
+  std::string error;   ///< what its error is by construction (spec 16's table)
+  bool stochastic = false;
+  /// Hard cases (suites/stability) that it does not pass by construction, and why: by id, or by
+  /// "id knob:value" for one variant.
+  std::map<std::string, std::string> breaksIn;
+  /// Shadow techniques: with these knobs maps change between translucent surfaces, so that the
+  /// transparency technique must be able to draw them part by part. Null: never.
+  std::function<bool(const Knobs&)> drawsInParts;
+  /// Transparency techniques: with these knobs parts can be drawn one after another. Null: never.
+  std::function<bool(const Knobs&)> drawsParts;
+};
+
+/// What the shaders that ask `lightVisibility` need from the technique.
+struct VisibilityInputs {
+  std::vector<rhi::Binding> bindings;
+  std::vector<rhi::ResourceUse> reads;
+  std::vector<rhi::SpecConstant> constants;  ///< ids 16..31
+  /// Of the shaders, where it is not the technique's own: lookups into other kinds of texture.
+  std::string folder = {};
+};
+
+class ShadowTechnique {
+ public:
+  virtual ~ShadowTechnique() = default;
+  /// Creates pipelines, maps and buffers for one scene view; runs once, outside timed regions.
+  virtual void prepare(const Context& context) = 0;
+  /// Within a frame, before `record`: the camera has moved. Context::view shows the step and has
+  /// refitted its light views; recompute what else depends on the camera, and write it through the
+  /// frame's commands. Buffers and layers made in `prepare` must serve every step of the path.
+  virtual void cameraMoved(Frame&) {}
+  /// Records the passes before the camera's (none when the plan calls for none).
+  virtual void record(Frame& frame) = 0;
+  virtual VisibilityInputs inputs() const = 0;
+  /// Groups of translucent instances that need maps of their own, in the order of drawing; empty
+  /// when the maps of `record` serve every receiver. Only with TechniqueInfo::drawsInParts.
+  virtual std::span<const std::vector<uint32_t>> parts() const { return {}; }
+  /// Records the passes that make the maps of one part, after those of `record` and of all parts
+  /// before it.
+  virtual void recordPart(Frame&, size_t) {}
+  /// Textures that tests and `bench render` may look at: label and texture of each map.
+  virtual std::vector<std::pair<std::string, rhi::TextureId>> maps() const { return {}; }
+  /// How far lookups for a light (index into Scene::lights) reach: errors within that distance of a
+  /// shadow's edge are blamed on resolution. Nothing for techniques without maps.
+  virtual LookupReach reach(uint32_t) const { return {}; }
+};
+
+class TransparencyTechnique {
+ public:
+  virtual ~TransparencyTechnique() = default;
+  /// Runs once, and only when the plan has Effect::CameraTransparency.
+  virtual void prepare(const Context& context, CameraPass& camera) = 0;
+  /// Within a frame, before anything is recorded: the camera has moved, see ShadowTechnique.
+  virtual void cameraMoved(Frame&, CameraPass&) {}
+  /// Records the translucent surfaces over the opaque picture.
+  virtual void record(Frame& frame, CameraPass& camera) = 0;
+  /// The same for some of them, after all parts behind these. Only with TechniqueInfo::drawsParts.
+  virtual void recordPart(Frame&, CameraPass&, std::span<const uint32_t>) {}
+  /// What the last frame left out (lists that overflowed, layers beyond the last one): for people,
+  /// one line each. Called between frames.
+  virtual std::vector<std::string> warnings() { return {}; }
+};
+
+}  // namespace sb

@@ -1,0 +1,41 @@
+// The visibility buffer of a cell (decision D10): per light, the RGB fraction of light that the
+// technique says arrives at the first four layers of surfaces and at the first opaque one. Never
+// part of a timed frame.
+#pragma once
+
+#include "techniques/render/camera_pass.h"
+
+namespace sb {
+
+/// One layer for one light: width * height * 4 floats, row 0 = bottom row of the picture (clip
+/// y = -1); alpha 1 where a surface is, else all 0.
+using VisibilityImage = std::vector<float>;
+
+class VisibilityBuffer {
+ public:
+  static constexpr uint32_t kLayers = 4;
+
+  /// `technique` may be null. One that makes maps between translucent surfaces makes them again.
+  VisibilityBuffer(const Context& context, const CameraPass& camera, ShadowTechnique* technique,
+                   FrameQueries& queries);
+
+  /// Records and reads back. Call between frames. `light`: index among the lights that touch the
+  /// view. Element 0 is the first opaque surface, 1..kLayers the layers from the eye.
+  std::vector<VisibilityImage> render(uint32_t light);
+
+ private:
+  VisibilityImage renderLayer(uint32_t light, uint32_t layer);
+  void recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
+                   std::span<const rhi::ResourceUse> reads);
+
+  const Context m_context;
+  const CameraPass& m_camera;
+  ShadowTechnique* m_technique;
+  FrameQueries& m_queries;
+  rhi::Texture m_target, m_opaqueDepth, m_layerDepth[2];
+  rhi::Buffer m_pass;
+  rhi::Sampler m_sampler;
+  rhi::PipelineId m_singleSided, m_doubleSided;
+};
+
+}  // namespace sb

@@ -1,0 +1,67 @@
+#include "techniques/scene/camera.h"
+
+#include <cmath>
+
+namespace sb {
+
+glm::dmat4 perspective(double fovY, double aspect, double n, double f) {
+  const double t = std::tan(fovY / 2);
+  glm::dmat4 m(0);
+  m[0][0] = 1 / (aspect * t);
+  m[1][1] = 1 / t;
+  m[2][2] = f / (n - f);
+  m[2][3] = -1;
+  m[3][2] = n * f / (n - f);
+  return m;
+}
+
+glm::dmat4 orthographic(double l, double r, double b, double t, double n, double f) {
+  glm::dmat4 m(1);
+  m[0][0] = 2 / (r - l);
+  m[1][1] = 2 / (t - b);
+  m[2][2] = 1 / (n - f);
+  m[3] = glm::dvec4(-(r + l) / (r - l), -(t + b) / (t - b), n / (n - f), 1);
+  return m;
+}
+
+CameraMatrices cameraMatrices(const Camera& camera, double aspect) {
+  CameraMatrices m;
+  m.eye = camera.eye();
+  m.view = glm::dmat4(glm::transpose(glm::dmat3(camera.toWorld)));
+  const double h = camera.halfHeight;
+  m.projection = camera.orthographic
+                     ? orthographic(-h * aspect, h * aspect, -h, h, camera.nearPlane, camera.farPlane)
+                     : perspective(camera.fovY, aspect, camera.nearPlane, camera.farPlane);
+  m.viewProjection = m.projection * m.view;
+  return m;
+}
+
+std::array<glm::dvec3, 8> frustumCorners(const Camera& camera, double aspect, double farLimit) {
+  const glm::dmat3 axes(camera.toWorld);
+  const double far = std::max(camera.nearPlane, std::min(camera.farPlane, farLimit));
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i) {
+    const double depth = i & 4 ? far : camera.nearPlane;
+    const double h = camera.orthographic ? camera.halfHeight : depth * std::tan(camera.fovY / 2);
+    corners[size_t(i)] = axes * glm::dvec3((i & 1 ? h : -h) * aspect, i & 2 ? h : -h, -depth);
+  }
+  return corners;
+}
+
+Box instanceBounds(const Scene& scene, uint32_t instance, const glm::dvec3& origin,
+                   const glm::dmat3& axes) {
+  const Instance& inst = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[inst.mesh];
+  const glm::dmat3 linear = axes * glm::dmat3(inst.toWorld);
+  const glm::dvec3 translation = axes * (glm::dvec3(inst.toWorld[3]) - origin);
+  Box box;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 corner(i & 1 ? mesh.boundsMax.x : mesh.boundsMin.x,
+                            i & 2 ? mesh.boundsMax.y : mesh.boundsMin.y,
+                            i & 4 ? mesh.boundsMax.z : mesh.boundsMin.z);
+    box.add(linear * corner + translation);
+  }
+  return box;
+}
+
+}  // namespace sb

@@ -1,0 +1,50 @@
+// Camera matrices in double, camera-relative: the eye is the origin of everything that is uploaded,
+// so that nothing depends on where in the world the scene lies (spec 17, G1).
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "techniques/scene/scene.h"
+
+namespace sb {
+
+struct CameraMatrices {
+  glm::dvec3 eye = glm::dvec3(0);
+  glm::dmat4 view = glm::dmat4(1);            ///< camera-relative world -> view (a rotation)
+  glm::dmat4 projection = glm::dmat4(1);      ///< view -> clip, depth 0..1
+  glm::dmat4 viewProjection = glm::dmat4(1);  ///< camera-relative world -> clip
+};
+
+/// `aspect`: width / height of the picture.
+CameraMatrices cameraMatrices(const Camera& camera, double aspect);
+
+/// The eight corners of the part of the frustum between near and min(far, `farLimit`),
+/// camera-relative. Order: x fastest, then y, then near before far.
+std::array<glm::dvec3, 8> frustumCorners(const Camera& camera, double aspect, double farLimit);
+
+/// Projections to depth 0..1, looking down -z.
+glm::dmat4 perspective(double fovY, double aspect, double nearPlane, double farPlane);
+glm::dmat4 orthographic(double left, double right, double bottom, double top, double nearPlane,
+                        double farPlane);
+
+/// Axis-aligned box; `empty()` until something was added.
+struct Box {
+  glm::dvec3 min = glm::dvec3(1e300);
+  glm::dvec3 max = glm::dvec3(-1e300);
+  bool empty() const { return min.x > max.x; }
+  void add(const glm::dvec3& p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+  }
+  void add(const Box& b) {
+    min = glm::min(min, b.min);
+    max = glm::max(max, b.max);
+  }
+};
+
+/// Bounds of an instance relative to `origin`, through the rotation `axes` (rows: the axes).
+Box instanceBounds(const Scene& scene, uint32_t instance, const glm::dvec3& origin,
+                   const glm::dmat3& axes = glm::dmat3(1));
+
+}  // namespace sb
