@@ -5,9 +5,9 @@
 #include "suites/cli/output_files.h"
 #include "suites/cli/say.h"
 #include "suites/cli/visibility_files.h"
+#include "suites/harness/stage.h"
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/analysis/analysis.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
 
@@ -42,8 +42,8 @@ CellId oneCell(const Options& options, const Platform& platform, Devices& device
 
 void writeVisibility(const Options& options, Renderer& renderer, rhi::Extent2D size) {
   std::vector<std::pair<uint32_t, std::vector<VisibilityImage>>> lights;
-  for (uint32_t light = 0; light < renderer.lightCount(); ++light)
-    lights.emplace_back(renderer.sceneLight(light), renderer.readVisibility(light));
+  for (const uint32_t light : renderer.lights())
+    lights.emplace_back(light, renderer.readVisibility(light));
   VisibilityLayers layers;
   for (const auto& [light, images] : lights)
     for (uint32_t layer = 0; layer < images.size(); ++layer)
@@ -60,35 +60,25 @@ int renderCommand(const Options& options) {
                   {.selector = options.device, .validate = options.validate});
   const CellId id = oneCell(options, platform, devices);
   DeviceSession* session = devices.open(id.backend);
-  const TechniqueInfo& technique = shadowTechnique(id.technique).info;
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) say(w);
   requireOutputs(options, scene);
   requireMemory(scene, {id.width, id.height},
                 options.visibility ? Made::VisibilityFiles : Made::Picture);
-  const Effects effects = analyse(scene, double(id.width) / double(id.height));
-  if (auto skip =
-          unsupported(*session->device, technique, transparencyTechnique(id.transparency).info,
-                      cellKnobs(id), effects.present))
+  Stage stage(scene, {id.width, id.height});
+  if (auto skip = stage.unsupported(*session->device, rendererDesc(id)))
     throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
-  const GpuScene gpuScene(*session->device, scene);
-  Renderer renderer(session->context(), gpuScene, effects,
-                    {.technique = &shadowTechnique(id.technique),
-                     .transparency = &transparencyTechnique(id.transparency),
-                     .knobs = cellKnobs(id),
-                     .size = {id.width, id.height},
-                     .seed = id.seed,
-                     .forced = {}});
-  renderer.standStill();
-  renderer.frame();
-  const report::Picture picture{id.width, id.height, renderer.readImage()};
+  const auto renderer = stage.renderer(session->context(), rendererDesc(id));
+  renderer->standStill();
+  renderer->frame();
+  const report::Picture picture{id.width, id.height, renderer->readImage()};
   if (const uint64_t bad = countNonFinite(picture))
     say("warning: " + std::to_string(bad) + " values of the picture are not finite");
   report::writePng(options.outputPrefix + ".png", picture,
                    options.exposure.value_or(automaticExposure(picture)));
   report::writeExr(options.outputPrefix + ".exr", picture);
   print(options.outputPrefix + ".png " + options.outputPrefix + ".exr\n");
-  if (options.visibility) writeVisibility(options, renderer, {id.width, id.height});
+  if (options.visibility) writeVisibility(options, *renderer, {id.width, id.height});
   int code = 0;
   for (const rhi::Message& m : session->device->takeMessages()) {
     say(m.source + " [" + m.rule + "] " + m.text);

@@ -13,7 +13,6 @@
 #include "suites/harness/scene_hash.h"
 #include "suites/harness/selection.h"
 #include "suites/harness/verify.h"
-#include "suites/scenes/analysis/analysis.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
 
@@ -58,8 +57,8 @@ class Group {
       : m_devices(devices),
         m_settings(settings),
         m_scene(makeScene(cells.front().scene)),
-        m_effects(analyse(m_scene, double(cells.front().width) / double(cells.front().height))),
-        m_context{devices, m_scene, m_effects, settings.checkTimers, {}},
+        m_stage(m_scene, {cells.front().width, cells.front().height}),
+        m_context{devices, m_stage, settings.checkTimers},
         m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
                 withProgress(settings.judge)) {
     for (const CellId& id : cells)
@@ -193,8 +192,7 @@ class Group {
 #ifndef NDEBUG
     addOnce(record.contamination, "this is a debug build");
 #endif
-    if (Renderer* renderer = a.subject().renderer())
-      for (const std::string& w : renderer->warnings()) addOnce(record.warnings, w);
+    for (const std::string& w : a.subject().warnings()) addOnce(record.warnings, w);
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
     for (const std::string& why : {whyRefused(record), whyImplausible(a.samples(), a.software())})
       if (!why.empty()) return report::refuse(record, why);
@@ -231,7 +229,7 @@ class Group {
   Devices& m_devices;
   const MeasureSettings& m_settings;
   const Scene m_scene;
-  const Effects m_effects;
+  Stage m_stage;
   SubjectContext m_context;
   Judge m_judge;
   std::vector<CellResult> m_results;

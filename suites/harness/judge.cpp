@@ -10,7 +10,6 @@
 #include "suites/metrics/regions.h"
 #include "suites/metrics/weighted.h"
 #include "suites/truth/truth_cache.h"
-#include "techniques/render/registry.h"
 
 namespace sb {
 namespace {
@@ -25,11 +24,6 @@ void addFile(const std::string& role, const report::Picture& picture,
   const std::string hash = report::contentHash(std::as_bytes(std::span(png)));
   record.pictures[role] = hash;
   files[hash] = std::move(png);
-}
-
-bool isStochastic(const CellId& id, const Plan& plan) {
-  return shadowTechnique(id.technique).info.stochastic &&
-         plan.planned.has(Effect::TranslucentCasters);
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -106,38 +100,19 @@ void Judge::judge(Subject& subject, const CellId& id, const report::Picture& pic
   addFile("truth", shown, report::toSrgb8(reference), record, files);
   addFile("error", shown, errorMap(shown, reference), record, files);
 
-  Renderer* renderer = subject.renderer();
-  if (!renderer) return judgeTracer(subject, record, files);
-  // Other seeds are judged where the truth's camera stands; whole loops have ended there.
-  renderer->standStill();
   std::vector<Answer> answers;
-  for (uint32_t light = 0; light < renderer->lightCount(); ++light)
-    answers.push_back({renderer->sceneLight(light), light, renderer->readVisibility(light)});
+  for (const uint32_t light : subject.lights())
+    answers.push_back({light, subject.visibility(light, id.seed), subject.reach(light)});
   judgeVisibility(answers, record);
-
   std::vector<std::vector<SeedMoments>> moments;
-  if (!isStochastic(id, renderer->plan()))
-    for (const char* key : {"noise", "certificate"})
-      record.why[key] = transparencyTechnique(id.transparency).info.stochastic &&
-                                renderer->plan().planned.has(Effect::CameraTransparency)
-                            ? "visibility is not random, only the mix of translucent surfaces is"
-                            : "nothing random runs";
-  else if (m_settings.seeds < 2)
-    for (const char* key : {"noise", "certificate"}) record.why[key] = "one seed alone was asked for";
+  std::string why = subject.whyNotRandom();
+  if (why.empty() && m_settings.seeds < 2) why = "one seed alone was asked for";
+  if (why.empty())
+    moments = judgeSeeds(subject, id.seed, answers, record);
   else
-    moments = judgeSeeds(*renderer, id.seed, answers, record);
+    for (const char* key : {"noise", "certificate"}) record.why[key] = why;
   judgeRegions(answers, moments, record);
-  blame([&](uint32_t light) { return renderer->reach(light); }, answers, moments, record, files);
-}
-
-void Judge::judgeTracer(Subject& subject, report::Record& record, PictureFiles& files) {
-  for (const char* key : {"noise", "certificate"}) record.why[key] = "nothing random runs";
-  std::vector<Answer> answers;
-  for (uint32_t light = 0; light < m_scene.lights.size(); ++light)
-    answers.push_back({light, light, subject.visibility(light)});
-  judgeVisibility(answers, record);
-  judgeRegions(answers, {}, record);
-  blame([](uint32_t) { return LookupReach{}; }, answers, {}, record, files);
+  blame(answers, moments, record, files);
 }
 
 void Judge::judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const {
@@ -214,15 +189,13 @@ ValueRange Judge::truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32
   return range;
 }
 
-void Judge::blame(const std::function<LookupReach(uint32_t)>& reachOf,
-                  const std::vector<Answer>& answers,
+void Judge::blame(const std::vector<Answer>& answers,
                   const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
                   PictureFiles& files) {
   BlameSum sum(m_size.width, m_size.height);
   for (size_t i = 0; i < answers.size(); ++i) {
     const Answer& a = answers[i];
-    const LookupReach reach = reachOf(a.light);
-    const bool looksUp = reach.constant > 0 || reach.perDistance > 0;
+    const bool looksUp = a.reach.constant > 0 || a.reach.perDistance > 0;
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const std::vector<float> variance =
           moments.empty() ? std::vector<float>() : moments[i][layer].variance();
@@ -235,7 +208,7 @@ void Judge::blame(const std::function<LookupReach(uint32_t)>& reachOf,
                        .truthAround = nullptr};
       if (looksUp)
         input.truthAround = [&](uint32_t x, uint32_t y) {
-          return truthAround(a.light, layer, x, y, reach);
+          return truthAround(a.light, layer, x, y, a.reach);
         };
       sum.add(input);
     }

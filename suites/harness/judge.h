@@ -41,11 +41,11 @@ class Judge {
              report::Record& record, PictureFiles& files);
 
  private:
-  /// All layers of a light as a technique sees them, and their truth.
+  /// All layers of a light as a technique sees them.
   struct Answer {
     uint32_t light = 0;  ///< index into Scene::lights
-    uint32_t asked = 0;  ///< index among the lights that touch the view
     std::vector<VisibilityImage> layers;
+    LookupReach reach;
   };
 
   const Truth* truth();
@@ -55,7 +55,7 @@ class Judge {
   Values truthAt(uint32_t light, uint32_t layer) const;
   std::span<const uint8_t> edgesAt(uint32_t light, uint32_t layer) const;
   void judgeVisibility(const std::vector<Answer>& answers, report::Record& record) const;
-  std::vector<std::vector<SeedMoments>> judgeSeeds(Renderer& renderer, uint32_t seed,
+  std::vector<std::vector<SeedMoments>> judgeSeeds(Subject& subject, uint32_t seed,
                                                    const std::vector<Answer>& answers,
                                                    report::Record& record);
   /// Regions of the first opaque surfaces; noise where there are moments.
@@ -67,13 +67,9 @@ class Judge {
   /// Least and greatest truth as far as a lookup reaches and in the pixels beside.
   ValueRange truthAround(uint32_t light, uint32_t layer, uint32_t x, uint32_t y,
                          const LookupReach& reach);
-  /// `reachOf` a light by its index in the scene.
-  void blame(const std::function<LookupReach(uint32_t)>& reachOf,
-             const std::vector<Answer>& answers,
+  void blame(const std::vector<Answer>& answers,
              const std::vector<std::vector<SeedMoments>>& moments, report::Record& record,
              PictureFiles& files);
-  /// The tracer's own answers, measured like any others.
-  void judgeTracer(Subject& subject, report::Record& record, PictureFiles& files);
 
   const Scene& m_scene;
   const std::string m_sceneHash;

@@ -8,15 +8,15 @@
 
 namespace sb {
 
-std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint32_t seed,
+std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Subject& subject, uint32_t seed,
                                                         const std::vector<Answer>& answers,
                                                         report::Record& record) {
   std::vector<TrialRegion> regions;
-  const uint32_t trials = answers.empty() ? 0 : renderer.reach(answers.front().light).trials;
+  const uint32_t trials = answers.empty() ? 0 : answers.front().reach.trials;
   for (const Answer& a : answers)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
       for (TrialRegion& r : trialRegions(tracer(), truthAt(a.light, layer), edgesAt(a.light, layer),
-                                         m_size, a.light, layer, renderer.reach(a.light)))
+                                         m_size, a.light, layer, a.reach))
         regions.push_back(std::move(r));
 
   std::vector<std::vector<SeedMoments>> moments(answers.size(),
@@ -25,11 +25,9 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
   for (uint32_t n = 0; n < m_settings.seeds; ++n) {
     if (m_settings.interrupted && m_settings.interrupted->load()) break;
     if (m_settings.progress) m_settings.progress(double(n) / m_settings.seeds);
-    renderer.setSeed(seed + n);
-    renderer.frame();
     ErrorSum sum;
     for (size_t i = 0; i < answers.size(); ++i) {
-      const auto layers = renderer.readVisibility(answers[i].asked);
+      const auto layers = subject.visibility(answers[i].light, seed + n);
       for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
         moments[i][layer].add(layers[layer]);
         sum.add(layers[layer], truthAt(answers[i].light, layer));
@@ -41,8 +39,6 @@ std::vector<std::vector<SeedMoments>> Judge::judgeSeeds(Renderer& renderer, uint
     errors.push_back(stats.rmse);
     biases.push_back(stats.bias);
   }
-  renderer.setSeed(seed);
-  renderer.frame();
 
   record.noise = noiseOf(answers, moments);
   const report::Interval interval = report::medianInterval(errors);

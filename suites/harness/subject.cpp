@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <fstream>
+#include <numeric>
 
 #include "suites/truth/tracer.h"
 #include "techniques/render/registry.h"
@@ -12,38 +13,39 @@ namespace {
 /// A technique on a device.
 class RendererSubject final : public Subject {
  public:
-  RendererSubject(const CellId& id, DeviceSession& session, const GpuScene& gpuScene,
-                  const Effects& effects, std::string passesUntrusted)
+  RendererSubject(const CellId& id, DeviceSession& session, Stage& stage,
+                  std::string passesUntrusted)
       : m_id(id),
         m_session(session),
         m_createdBefore(session.pipelines->createMs()),
-        m_renderer(session.context(), gpuScene, effects,
-                   RendererDesc{.technique = &shadowTechnique(id.technique),
-                                .transparency = &transparencyTechnique(id.transparency),
-                                .knobs = cellKnobs(id),
-                                .size = {id.width, id.height},
-                                .seed = id.seed,
-                                .forced = {}}),
+        m_renderer(stage.renderer(session.context(), rendererDesc(id))),
         m_passesUntrusted(std::move(passesUntrusted)) {}
 
-  FrameResult frame(FrameMode mode) override { return m_renderer.frame(mode); }
-  uint32_t steps() const override { return m_renderer.steps(); }
-  report::Picture picture() override { return {m_id.width, m_id.height, m_renderer.readImage()}; }
+  FrameResult frame(FrameMode mode) override { return m_renderer->frame(mode); }
+  uint32_t steps() const override { return m_renderer->steps(); }
+  report::Picture picture() override { return {m_id.width, m_id.height, m_renderer->readImage()}; }
   bool software() const override { return m_session.device->isSoftware(); }
   double createMs() const override { return m_session.pipelines->createMs() - m_createdBefore; }
   size_t pipelines() const override { return m_session.pipelines->size(); }
   std::vector<rhi::Message> takeMessages() override { return m_session.device->takeMessages(); }
   std::string passesUntrusted() const override { return m_passesUntrusted; }
-  Renderer* renderer() override { return &m_renderer; }
+  std::vector<std::string> warnings() override { return m_renderer->warnings(); }
+
+  std::vector<uint32_t> lights() const override { return m_renderer->lights(); }
+  std::vector<VisibilityImage> visibility(uint32_t light, uint32_t seed) override {
+    return m_renderer->visibilityAtEnd(light, seed);
+  }
+  LookupReach reach(uint32_t light) const override { return m_renderer->reach(light); }
+  std::string whyNotRandom() const override { return m_renderer->whyNotRandom(); }
 
   void describe(report::Record& record) const override {
-    const Plan& plan = m_renderer.plan();
+    const Plan& plan = m_renderer->plan();
     for (Effect e : plan.planned.list()) record.effectsPlanned.emplace_back(effectName(e));
     for (const auto& [e, why] : plan.skipped)
       record.effectsSkipped.emplace_back(std::string(effectName(e)), why);
     for (Effect e : plan.unrepresented)
       record.effectsUnrepresented.emplace_back(effectName(e));
-    record.bytesByLabel = m_renderer.bytesByLabel();
+    record.bytesByLabel = m_renderer->bytesByLabel();
     for (const auto& [label, bytes] : record.bytesByLabel) record.bytes += bytes;
   }
 
@@ -51,7 +53,7 @@ class RendererSubject final : public Subject {
   const CellId m_id;
   DeviceSession& m_session;
   const double m_createdBefore;
-  Renderer m_renderer;
+  std::unique_ptr<Renderer> m_renderer;
   std::string m_passesUntrusted;
 };
 
@@ -59,7 +61,7 @@ class RendererSubject final : public Subject {
 class TracerSubject final : public Subject {
  public:
   TracerSubject(const CellId& id, const Scene& scene)
-      : m_id(id), m_start(clockMs(CLOCK_MONOTONIC)), m_tracer(scene, id.width, id.height) {
+      : m_id(id), m_lights(uint32_t(scene.lights.size())), m_start(clockMs(CLOCK_MONOTONIC)), m_tracer(scene, id.width, id.height) {
     m_createMs = clockMs(CLOCK_MONOTONIC) - m_start;
   }
 
@@ -76,7 +78,12 @@ class TracerSubject final : public Subject {
   double createMs() const override { return m_createMs; }
   bool hasPasses() const override { return false; }
   std::string passesUntrusted() const override { return "ray tracing has no passes"; }
-  std::vector<VisibilityImage> visibility(uint32_t light) override {
+  std::vector<uint32_t> lights() const override {
+    std::vector<uint32_t> lights(m_lights);
+    std::iota(lights.begin(), lights.end(), 0u);
+    return lights;
+  }
+  std::vector<VisibilityImage> visibility(uint32_t light, uint32_t) override {
     if (!m_answers) m_answers = m_tracer.trace({.width = m_id.width, .height = m_id.height});
     const auto first = m_answers->visibility.begin() + ptrdiff_t(light) * kTruthLayers;
     std::vector<VisibilityImage> layers(first, first + kTruthLayers);
@@ -99,6 +106,7 @@ class TracerSubject final : public Subject {
   }
 
   const CellId m_id;
+  const uint32_t m_lights;
   const double m_start;
   Tracer m_tracer;
   double m_createMs = 0;
@@ -127,13 +135,13 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
     record.device = cpuName();
     record.deviceType = rhi::deviceTypeName(rhi::DeviceType::Software);
     record.driver = "the truth's tracer";
-    if (const auto missing = notYetRepresented(context.scene); !missing.empty())
+    if (const auto missing = notYetRepresented(context.stage.scene()); !missing.empty())
       return skip(record, "not yet represented: " + missing.front());
-    if (!context.scene.path.empty())
+    if (!context.stage.scene().path.empty())
       record.warnings.push_back(
           "the camera of the tracer stands still, where the path ends: it traces the last frame "
           "again and again");
-    return std::make_unique<TracerSubject>(id, context.scene);
+    return std::make_unique<TracerSubject>(id, context.stage.scene());
   }
   DeviceSession* session = context.devices.open(id.backend);
   if (!session)
@@ -146,8 +154,7 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
   record.device = device.info().name;
   record.deviceType = rhi::deviceTypeName(device.info().type);
   record.driver = device.info().driver + " " + device.info().driverVersion;
-  if (auto why = unsupported(device, shadowTechnique(id.technique).info,
-                             transparencyTechnique(id.transparency).info, cellKnobs(id), context.effects.present))
+  if (auto why = context.stage.unsupported(device, rendererDesc(id)))
     return skip(record, why->reason);
   std::string passesUntrusted;
   if (context.checkTimers) {
@@ -158,9 +165,7 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
     }
     passesUntrusted = whyUntrusted(facts, TimerUse::Passes);
   }
-  auto& gpuScene = context.gpuScenes[session];
-  if (!gpuScene) gpuScene = std::make_unique<GpuScene>(device, context.scene);
-  return std::make_unique<RendererSubject>(id, *session, *gpuScene, context.effects,
+  return std::make_unique<RendererSubject>(id, *session, context.stage,
                                            std::move(passesUntrusted));
 }
 

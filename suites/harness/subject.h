@@ -10,7 +10,7 @@
 #include "reports/record.h"
 #include "suites/harness/cell.h"
 #include "suites/harness/devices.h"
-#include "techniques/draw/frame.h"
+#include "suites/harness/stage.h"
 
 namespace sb {
 
@@ -35,10 +35,19 @@ class Subject {
   virtual std::vector<rhi::Message> takeMessages() { return {}; }
   /// Why stamps of passes are not believed, or "".
   virtual std::string passesUntrusted() const { return ""; }
-  /// Null: nothing of a rasteriser to ask for visibility.
-  virtual Renderer* renderer() { return nullptr; }
-  /// Of a subject without a renderer: what it says of a light of the scene, all layers.
-  virtual std::vector<VisibilityImage> visibility(uint32_t) { return {}; }
+  /// What the last frame left out, for people.
+  virtual std::vector<std::string> warnings() { return {}; }
+
+  // What the truth is asked too: where its camera stands, after everything that is timed.
+
+  /// Lights that it answers for, as indices into Scene::lights.
+  virtual std::vector<uint32_t> lights() const = 0;
+  /// Which share of a light's RGB radiance arrives, at each of the truth's layers.
+  virtual std::vector<VisibilityImage> visibility(uint32_t light, uint32_t seed) = 0;
+  /// How far lookups for a light go around a receiver.
+  virtual LookupReach reach(uint32_t) const { return {}; }
+  /// Why visibility does not depend on the seed, or "".
+  virtual std::string whyNotRandom() const { return "nothing random runs"; }
   /// Fills what the record says of plan and memory.
   virtual void describe(report::Record& record) const = 0;
 };
@@ -46,10 +55,8 @@ class Subject {
 /// What the cells of a group share. Must outlive its subjects.
 struct SubjectContext {
   Devices& devices;
-  const Scene& scene;
-  const Effects& effects;
+  Stage& stage;
   bool checkTimers = true;
-  std::map<DeviceSession*, std::unique_ptr<GpuScene>> gpuScenes = {};
 };
 
 /// Makes a cell ready. Null when it cannot run: then the record is skipped or failed, with the

@@ -47,7 +47,7 @@ const std::vector<StabilityCase>& stabilityCases();
 SceneForm sceneForm(const std::string& id);
 /// Pixels of the first opaque surface whose visibility changed although nothing within two pixels
 /// varies. Not a number where it varies everywhere.
-double changedInside(Probe& before, Probe& after, uint32_t light = 0);
+double changedInside(Probe& before, Probe& after, uint32_t light = kFirstInView);
 /// Values of picture and visibility that are not finite, and visibilities outside [0, 1].
 double badValues(Probe& probe);
 

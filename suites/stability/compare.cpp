@@ -28,7 +28,7 @@ double changedInside(Probe& before, Probe& after, uint32_t light) {
 
 double badValues(Probe& probe) {
   double bad = double(countNonFinite(probe.picture()));
-  for (uint32_t light = 0; light < probe.renderer().lightCount(); ++light)
+  for (const uint32_t light : probe.renderer().lights())
     for (const VisibilityImage& layer : probe.visibility(light))
       bad += double(std::ranges::count_if(layer, [](float v) { return !(v >= 0 && v <= 1); }));
   return bad;

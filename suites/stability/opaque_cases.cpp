@@ -18,7 +18,7 @@ Found behindTheLight(const CaseContext& context) {
   addLight(scene, spotLight({0, 4, 0}, {0, 1, 0}, 1.2, 10));
   Found found;
   Probe probe(context, std::move(scene), kOptions);
-  for (uint32_t light = 0; light < probe.renderer().lightCount(); ++light) {
+  for (const uint32_t light : probe.renderer().lights()) {
     Compared lost;
     const VisibilityImage& image = probe.visibility(light)[0];
     for (size_t i = 0; i < image.size(); i += 4)

@@ -5,19 +5,18 @@
 
 #include "suites/harness/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/analysis/analysis.h"
 
 namespace sb {
 namespace {
 
-Knobs knobsFor(const CaseContext& context, const ProbeOptions& options) {
+RendererDesc descFor(const CaseContext& context, const ProbeOptions& options) {
   const auto infos = knobsOf(context.info(), context.transparencyInfo());
   std::map<std::string, std::string> given = context.knobs;
   for (const auto& [name, value] : options.knobs)
     if (std::ranges::find(infos, name, &KnobInfo::name) != infos.end()) given[name] = value;
   if (std::ranges::find(infos, "size", &KnobInfo::name) != infos.end())
     if (!context.scene) given.try_emplace("size", "256");
-  return Knobs::resolve(infos, given);
+  return rendererDesc(context.technique, context.transparency, given, options.size, options.seed);
 }
 
 }  // namespace
@@ -46,20 +45,10 @@ Probe::Probe(const CaseContext& context, Scene scene, const ProbeOptions& option
       m_options(options),
       m_seeds(context.info().stochastic ? context.seeds : 1) {
   const DeviceContext& device = options.onOther ? *context.other : context.device;
-  m_effects = analyse(m_scene, double(options.size.width) / options.size.height);
-  const Knobs knobs = knobsFor(context, options);
-  if (const auto why = unsupported(device.device, context.info(), context.transparencyInfo(), knobs,
-                                   m_effects.present))
-    throw Unsupported(why->reason);
-  m_gpuScene = std::make_unique<GpuScene>(device.device, m_scene);
-  m_renderer = std::make_unique<Renderer>(
-      device, *m_gpuScene, m_effects,
-      RendererDesc{.technique = &shadowTechnique(context.technique),
-                   .transparency = &transparencyTechnique(context.transparency),
-                   .knobs = knobs,
-                   .size = options.size,
-                   .seed = options.seed,
-                   .forced = {}});
+  m_stage.emplace(m_scene, options.size);
+  const RendererDesc desc = descFor(context, options);
+  if (const auto why = m_stage->unsupported(device.device, desc)) throw Unsupported(why->reason);
+  m_renderer = m_stage->renderer(device, desc);
   m_renderer->frame();
 }
 
@@ -68,6 +57,7 @@ report::Picture Probe::picture() {
 }
 
 const std::vector<VisibilityImage>& Probe::visibility(uint32_t light) {
+  if (light == kFirstInView) light = m_renderer->lights().front();
   auto [it, isNew] = m_visibility.try_emplace(light);
   if (isNew) it->second = m_renderer->readVisibility(light);
   return it->second;
@@ -109,12 +99,11 @@ TruthDifference truthDifference(Probe& probe) {
   const auto truth = tracer.trace({.width = picture.width, .height = picture.height});
   TruthDifference out;
   size_t badlyLit = 0;
-  for (uint32_t index = 0; index < probe.renderer().lightCount(); ++index) {
-    const uint32_t light = probe.renderer().sceneLight(index);
+  for (const uint32_t light : probe.renderer().lights()) {
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const auto& expected = truth->visibility[light * kTruthLayers + layer];
       const auto& edges = truth->edges[light * kTruthLayers + layer];
-      const VisibilityImage& image = probe.visibility(index)[layer];
+      const VisibilityImage& image = probe.visibility(light)[layer];
       for (uint32_t p = 0; p < edges.size(); ++p) {
         const float *t = expected.data() + 4 * p, *v = image.data() + 4 * p;
         if (t[3] == 0 || v[3] == 0 || edges[p]) continue;

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "reports/picture.h"
+#include "suites/harness/stage.h"
 #include "suites/truth/tracer.h"
 #include "techniques/render/registry.h"
-#include "techniques/render/renderer.h"
 
 namespace sb {
 
@@ -37,6 +38,9 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// For a light: the first that touches the view.
+inline constexpr uint32_t kFirstInView = UINT32_MAX;
+
 struct ProbeOptions {
   /// Those that the technique has; in scenes of cases, size: 256.
   std::map<std::string, std::string> knobs = {};
@@ -52,23 +56,23 @@ class Probe {
   Probe(const Probe&) = delete;
 
   const Scene& scene() const { return m_scene; }
-  const Effects& effects() const { return m_effects; }
+  const Effects& effects() const { return m_stage->effects(); }
   rhi::Extent2D size() const { return m_options.size; }
   Renderer& renderer() { return *m_renderer; }
   report::Picture picture();
-  /// Of a light that touches the view: first opaque surface, then layers from the eye.
-  const std::vector<VisibilityImage>& visibility(uint32_t light = 0);
+  /// Of a light (index into Scene::lights) that touches the view: first opaque surface, then layers
+  /// from the eye.
+  const std::vector<VisibilityImage>& visibility(uint32_t light = kFirstInView);
   /// Mean over the middle half of a layer, where a surface is, and over the context's seeds.
-  glm::dvec3 meanVisibility(uint32_t layer, uint32_t light = 0);
+  glm::dvec3 meanVisibility(uint32_t layer, uint32_t light = kFirstInView);
 
  private:
   glm::dvec3 middleMean(const VisibilityImage& image) const;
 
   Scene m_scene;
-  Effects m_effects;
   ProbeOptions m_options;
   uint32_t m_seeds = 1;
-  std::unique_ptr<GpuScene> m_gpuScene;
+  std::optional<Stage> m_stage;
   std::unique_ptr<Renderer> m_renderer;
   std::map<uint32_t, std::vector<VisibilityImage>> m_visibility;
 };

@@ -59,7 +59,7 @@ Found scaled(const CaseContext& context) {
 /// Largest difference of visibility over lights and layers, in 1/255.
 double visibilityDifference(Probe& a, Probe& b) {
   Compared worst;
-  for (uint32_t light = 0; light < a.renderer().lightCount(); ++light)
+  for (const uint32_t light : a.renderer().lights())
     for (size_t layer = 0; layer < a.visibility(light).size(); ++layer) {
       const VisibilityImage &p = a.visibility(light)[layer], &q = b.visibility(light)[layer];
       for (size_t i = 0; i < p.size(); ++i)
@@ -72,7 +72,7 @@ double visibilityDifference(Probe& a, Probe& b) {
 Found permuted(const CaseContext& context) {
   Found found;
   Probe before(context, *context.scene, sceneOptions(context));
-  if (before.renderer().lightCount() == 0)
+  if (before.renderer().lights().empty())
     return {.curve = {}, .expected = "", .leftOut = kNoLight};
   // Products in half floats round in the order of drawing.
   const double tolerance =
@@ -113,7 +113,7 @@ Found perturbed(const CaseContext& context) {
   ProbeOptions options = sceneOptions(context);
   options.knobs = {{"kernel", "1"}, {"compare", "manual"}};
   Probe before(context, *context.scene, options);
-  if (before.renderer().lightCount() == 0 || before.scene().instances.empty())
+  if (before.renderer().lights().empty() || before.scene().instances.empty())
     return {.curve = {}, .expected = "", .leftOut = kNoLight};
   if (std::isnan(changedInside(before, before)))
     return {
@@ -122,7 +122,7 @@ Found perturbed(const CaseContext& context) {
   for (const double x : {1e-7, 1e-6}) {
     Scene scene = *context.scene;
     scene.instances[scene.instances.size() / 2].toWorld[3].x += x * size;
-    Light& light = scene.lights[before.renderer().sceneLight(0)];
+    Light& light = scene.lights[before.renderer().lights().front()];
     if (light.type == LightType::Directional)
       light.direction = glm::normalize(light.direction + glm::dvec3(x, 0, 0));
     else

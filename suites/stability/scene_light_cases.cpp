@@ -23,11 +23,10 @@ std::map<double, double> lostLight(const CaseContext& context, const Scene& scen
   const Tracer tracer(probe.scene(), width, height);
   const auto truth = tracer.trace({.width = width, .height = height});
   std::map<double, double> lost;
-  for (uint32_t index = 0; index < probe.renderer().lightCount(); ++index) {
-    const uint32_t light = probe.renderer().sceneLight(index);
+  for (const uint32_t light : probe.renderer().lights()) {
     const auto& expected = truth->visibility[light * kTruthLayers];
     const auto& edges = truth->edges[light * kTruthLayers];
-    const VisibilityImage& image = probe.visibility(index)[0];
+    const VisibilityImage& image = probe.visibility(light)[0];
     for (uint32_t p = 0; p < edges.size(); ++p) {
       const float *t = expected.data() + 4 * p, *v = image.data() + 4 * p;
       const bool lit = t[3] != 0 && t[0] == 1 && t[1] == 1 && t[2] == 1;
@@ -85,10 +84,11 @@ Found sceneCorners(const CaseContext& context) {
       } else {
         Probe probe(context, scene, sceneOptions(context));
         Probe& expected = x == 2 ? blocked : clear;
-        const uint32_t lights =
-            std::min(probe.renderer().lightCount(), expected.renderer().lightCount());
-        for (uint32_t light = 0; light < lights; ++light)
-          if (const double n = changedInside(expected, probe, light); !std::isnan(n))
+        const std::vector<uint32_t> known = expected.renderer().lights();
+        for (const uint32_t light : probe.renderer().lights())
+          if (std::ranges::find(known, light) == known.end())
+            continue;
+          else if (const double n = changedInside(expected, probe, light); !std::isnan(n))
             wrong.count(n > 0);
       }
       if (!std::isnan(wrong.value())) found.curve.push_back({x, wrong.value(), 0});

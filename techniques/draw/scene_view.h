@@ -17,6 +17,10 @@
 
 namespace sb {
 
+/// Index of a light among those that touch the view, which are the ones that shaders know; all
+/// others are indices into Scene::lights.
+enum class ViewLight : uint32_t {};
+
 class SceneView {
  public:
   /// `effects` is the analysis of scene and camera; both must outlive the view.

@@ -110,23 +110,45 @@ std::vector<float> Renderer::readImage() {
 }
 
 std::vector<VisibilityImage> Renderer::readVisibility(uint32_t light) {
-  if (!m_visibility) m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera, m_technique.get(),
-                                                    m_device.queries);
-  return m_visibility->render(light);
+  if (!m_visibility)
+    m_visibility = std::make_unique<VisibilityBuffer>(context(), *m_camera, m_technique.get(),
+                                                      m_device.queries);
+  const std::vector<uint32_t> inView = lights();
+  const auto at = std::ranges::find(inView, light);
+  if (at == inView.end()) throw std::out_of_range("the light does not touch the view");
+  return m_visibility->render(ViewLight(at - inView.begin()));
 }
 
-uint32_t Renderer::lightCount() const {
-  return uint32_t(std::ranges::count_if(m_view->effects().lights, &LightEffects::touchesView));
-}
-
-uint32_t Renderer::sceneLight(uint32_t light) const {
+std::vector<uint32_t> Renderer::lights() const {
+  std::vector<uint32_t> lights;
   for (const LightEffects& effects : m_view->effects().lights)
-    if (effects.touchesView && light-- == 0) return effects.light;
-  throw std::out_of_range("no such light touches the view");
+    if (effects.touchesView) lights.push_back(effects.light);
+  return lights;
 }
 
-LookupReach Renderer::reach(uint32_t sceneLight) const {
-  return m_technique ? m_technique->reach(sceneLight) : LookupReach{};
+std::string Renderer::whyNotRandom() const {
+  if (m_desc.technique->info.stochastic && m_plan.runs(Effect::TranslucentCasters)) return "";
+  return m_desc.transparency->info.stochastic && m_plan.runs(Effect::CameraTransparency)
+             ? "visibility is not random, only the mix of translucent surfaces is"
+             : "nothing random runs";
+}
+
+void Renderer::setSeed(uint32_t seed) {
+  m_desc.seed = seed;
+  m_view->setSeed(m_device.device, seed);
+}
+
+std::vector<VisibilityImage> Renderer::visibilityAtEnd(uint32_t light, uint32_t seed) {
+  standStill();
+  if (seed != m_desc.seed) {
+    setSeed(seed);
+    frame();
+  }
+  return readVisibility(light);
+}
+
+LookupReach Renderer::reach(uint32_t light) const {
+  return m_technique ? m_technique->reach(light) : LookupReach{};
 }
 
 }  // namespace sb

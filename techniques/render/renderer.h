@@ -54,15 +54,18 @@ class Renderer {
 
   /// The last frame's picture, linear RGBA, row 0 = bottom row (clip y = -1).
   std::vector<float> readImage();
-  /// Visibility of a light (index among those that touch the view), see VisibilityBuffer::render.
+  /// Lights that touch the view. Here and below lights are indices into Scene::lights.
+  std::vector<uint32_t> lights() const;
+  /// Visibility of one of them, see VisibilityBuffer::render.
   std::vector<VisibilityImage> readVisibility(uint32_t light);
-  uint32_t lightCount() const;  ///< lights that touch the view
-  /// Index into Scene::lights of a light that touches the view.
-  uint32_t sceneLight(uint32_t light) const;
-  /// Around a receiver of a light (index into Scene::lights), how far lookups of the technique go.
-  LookupReach reach(uint32_t sceneLight) const;
+  /// Around a receiver of a light, how far lookups of the technique go.
+  LookupReach reach(uint32_t light) const;
+  /// Why visibility does not depend on the seed, or "".
+  std::string whyNotRandom() const;
+  /// The same where the truth's camera stands, drawn with a seed. Call after everything timed.
+  std::vector<VisibilityImage> visibilityAtEnd(uint32_t light, uint32_t seed);
   /// Frames from now on draw other random numbers. Call between frames.
-  void setSeed(uint32_t seed) { m_view->setSeed(m_device.device, seed); }
+  void setSeed(uint32_t seed);
 
   /// What the last frame left out, for people. Call between frames.
   std::vector<std::string> warnings() { return m_camera->warnings(); }

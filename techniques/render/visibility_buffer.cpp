@@ -46,7 +46,7 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
   m_singleSided = context.pipelines.get(desc);
 }
 
-std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
+std::vector<VisibilityImage> VisibilityBuffer::render(ViewLight light) {
   std::vector<VisibilityImage> images;
   const bool translucent = !m_context.view.effects().visibleTranslucent.empty();
   for (uint32_t layer = 0; layer <= kLayers; ++layer) {
@@ -60,10 +60,10 @@ std::vector<VisibilityImage> VisibilityBuffer::render(uint32_t light) {
   return images;
 }
 
-VisibilityImage VisibilityBuffer::renderLayer(uint32_t light, uint32_t layer) {
+VisibilityImage VisibilityBuffer::renderLayer(ViewLight light, uint32_t layer) {
   const SceneView& view = m_context.view;
   const rhi::TextureId previous = m_layerDepth[(layer + 1) % 2];
-  const uint32_t ids[4] = {light, layer, 0, 0};
+  const uint32_t ids[4] = {uint32_t(light), layer, 0, 0};
 
   std::vector<rhi::Binding> extra = m_camera.inputs().bindings;
   extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_camera.m_noOrder));

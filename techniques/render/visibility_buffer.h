@@ -19,12 +19,12 @@ class VisibilityBuffer {
   VisibilityBuffer(const Context& context, const CameraPass& camera, ShadowTechnique* technique,
                    FrameQueries& queries);
 
-  /// Records and reads back. Call between frames. `light`: index among the lights that touch the
-  /// view. Element 0 is the first opaque surface, 1..kLayers the layers from the eye.
-  std::vector<VisibilityImage> render(uint32_t light);
+  /// Records and reads back. Call between frames. Element 0 is the first opaque surface, 1..kLayers
+  /// the layers from the eye.
+  std::vector<VisibilityImage> render(ViewLight light);
 
  private:
-  VisibilityImage renderLayer(uint32_t light, uint32_t layer);
+  VisibilityImage renderLayer(ViewLight light, uint32_t layer);
   void recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
                    std::span<const rhi::ResourceUse> reads);
 

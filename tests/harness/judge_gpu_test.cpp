@@ -19,7 +19,12 @@ class CellSubject final : public Subject {
   report::Picture picture() override { return m_cell.picture(); }
   bool software() const override { return true; }
   double createMs() const override { return 0; }
-  Renderer* renderer() override { return &m_cell.renderer(); }
+  std::vector<uint32_t> lights() const override { return m_cell.renderer().lights(); }
+  std::vector<VisibilityImage> visibility(uint32_t light, uint32_t seed) override {
+    return m_cell.renderer().visibilityAtEnd(light, seed);
+  }
+  LookupReach reach(uint32_t light) const override { return m_cell.renderer().reach(light); }
+  std::string whyNotRandom() const override { return m_cell.renderer().whyNotRandom(); }
   void describe(report::Record&) const override {}
 
  private:

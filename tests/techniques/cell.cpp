@@ -3,8 +3,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "suites/scenes/analysis/analysis.h"
-
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);
 }
@@ -40,12 +38,13 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
   return out;
 }
 
-Knobs resolveKnobs(const CellOptions& options) {
+RendererDesc descOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   if (options.technique != "none") given.try_emplace("size", "256");
-  return Knobs::resolve(
-      knobsOf(shadowTechnique(options.technique).info, transparencyTechnique(options.transparency).info),
-      given);
+  RendererDesc desc = rendererDesc(options.technique, options.transparency, given, options.size,
+                                   options.seed);
+  desc.forced = options.forced;
+  return desc;
 }
 
 }  // namespace
@@ -61,17 +60,10 @@ const rhi::ShaderLibrary& productionShaders() {
 
 Cell::Cell(CellDevice& device, Scene scene, const CellOptions& options)
     : m_device(device), m_scene(std::move(scene)), m_options(options) {
-  m_effects = analyse(m_scene, double(options.size.width) / options.size.height);
-  m_knobs = resolveKnobs(options);
-  m_gpuScene = std::make_unique<GpuScene>(device.device, m_scene);
-  m_renderer =
-      std::make_unique<Renderer>(device.context(), *m_gpuScene, m_effects,
-                                 RendererDesc{.technique = &shadowTechnique(options.technique),
-                                              .transparency = &transparencyTechnique(options.transparency),
-                                              .knobs = m_knobs,
-                                              .size = options.size,
-                                              .seed = options.seed,
-                                              .forced = options.forced});
+  const RendererDesc desc = descOf(options);
+  m_knobs = desc.knobs;
+  m_stage.emplace(m_scene, options.size);
+  m_renderer = m_stage->renderer(device.context(), desc);
   renderAgain();
 }
 
@@ -80,6 +72,7 @@ report::Picture Cell::picture() {
 }
 
 const std::vector<VisibilityImage>& Cell::visibility(uint32_t light) {
+  if (light == kFirstInView) light = m_renderer->lights().front();
   auto [it, isNew] = m_visibility.try_emplace(light);
   if (isNew) it->second = m_renderer->readVisibility(light);
   return it->second;
@@ -119,7 +112,7 @@ uint32_t Cell::mapSize() const { return m_knobs.integer("size"); }
 
 std::vector<LightView> Cell::lightViews() const {
   const uint32_t size = mapSize();
-  return fitLights(m_scene, m_effects, m_scene.camera(),
+  return fitLights(m_scene, effects(), m_scene.camera(),
                    double(m_options.size.width) / m_options.size.height,
                    {.mapSize = size,
                     .guardTexels = std::min(m_knobs.integer("kernel") / 2 + 2, size / 4),

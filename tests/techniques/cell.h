@@ -4,9 +4,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "reports/picture.h"
-#include "techniques/render/renderer.h"
+#include "suites/harness/stage.h"
 
 namespace sb::test {
 
@@ -31,6 +32,9 @@ struct CellOptions {
   std::string transparency = "Sorted";
 };
 
+/// For a light: the first that touches the view.
+inline constexpr uint32_t kFirstInView = UINT32_MAX;
+
 class Cell {
  public:
   /// Renders one frame.
@@ -40,7 +44,7 @@ class Cell {
   Renderer& renderer() { return *m_renderer; }
   const FrameResult& result() const { return m_result; }
   const Scene& scene() const { return m_scene; }
-  const Effects& effects() const { return m_effects; }
+  const Effects& effects() const { return m_stage->effects(); }
   rhi::Extent2D size() const { return m_options.size; }
 
   /// Renders from now on one step of the scene's path.
@@ -52,7 +56,7 @@ class Cell {
   void renderAgain() { m_result = m_renderer->frame(); }
   report::Picture picture();
   /// Element 0: first opaque surface; 1..: layers from the eye. RGB and 1 where a surface is.
-  const std::vector<VisibilityImage>& visibility(uint32_t light = 0);
+  const std::vector<VisibilityImage>& visibility(uint32_t light = kFirstInView);
 
   bool hasMap(const std::string& label);
   /// A map's layer as floats, `channels` per texel: 1 of depth maps, 4 of colour maps. Row 0 is v =
@@ -66,9 +70,8 @@ class Cell {
   CellDevice& m_device;
   Scene m_scene;
   CellOptions m_options;
-  Effects m_effects;
   Knobs m_knobs;
-  std::unique_ptr<GpuScene> m_gpuScene;
+  std::optional<Stage> m_stage;
   std::unique_ptr<Renderer> m_renderer;
   FrameResult m_result;
   std::map<uint32_t, std::vector<VisibilityImage>> m_visibility;

@@ -171,7 +171,7 @@ GPU_TEST(Generic, EverythingIsFiniteAndVisibilityBetweenZeroAndOne) {
   for (const std::string& technique : kTechniques) {
     Cell cell(cellDevice(device()), mixed(true), optionsOf(technique));
     EXPECT_EQ(countNonFinite(cell.picture()), 0u);
-    ASSERT_EQ(cell.renderer().lightCount(), 3u);
+    ASSERT_EQ(cell.renderer().lights().size(), 3u);
     for (uint32_t light = 0; light < 3; ++light)
       for (const VisibilityImage& layer : cell.visibility(light))
         for (const float v : layer) ASSERT_TRUE(v >= 0 && v <= 1) << v;
@@ -204,7 +204,7 @@ GPU_TEST(Generic, EmptyScenesAndOddSizes) {
         if (scene == &empty || scene == &lightOnly) {
           EXPECT_EQ(picture.rgba[1], 0.5f);
         }
-        if (cell.renderer().lightCount() == 0) continue;
+        if (cell.renderer().lights().empty()) continue;
         for (const float v : cell.visibility()[0]) ASSERT_TRUE(v >= 0 && v <= 1);
       }
 }

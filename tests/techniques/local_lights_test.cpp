@@ -164,7 +164,7 @@ GPU_TEST(ShadowLights, SeveralLightsEachWithItsOwnShadow) {
   addLight(scene, pointLight({1, 3, 1}));
   addLight(scene, spotLight({-1, 3, -0.5}, {0.3, -1, 0.2}, 0.9));
   Cell cell(cellDevice(device()), scene, options());
-  ASSERT_EQ(cell.renderer().lightCount(), 3u);
+  ASSERT_EQ(cell.renderer().lights().size(), 3u);
   for (uint32_t light = 0; light < 2; ++light) expectShadows(cell, light, 4000, 80);
   // Outside the spot's cone the visibility is 1 by definition.
   const ShadowCounts spot = compareShadows(cell, 2, 1.0);

@@ -33,8 +33,8 @@ void expectFramesOfStandingCameras(rhi::Device& device, const Scene& scene, Cell
       EXPECT_EQ(moving.picture().rgba, still.picture().rgba)
           << name << ", step " << k << " of loop " << loop;
       if (loop == 0) continue;
-      ASSERT_EQ(moving.renderer().lightCount(), still.renderer().lightCount()) << name << " " << k;
-      for (uint32_t light = 0; light < still.renderer().lightCount(); ++light)
+      ASSERT_EQ(moving.renderer().lights(), still.renderer().lights()) << name << " " << k;
+      for (const uint32_t light : still.renderer().lights())
         EXPECT_EQ(moving.renderer().readVisibility(light), still.visibility(light))
             << name << ", step " << k << ", light " << light;
     }

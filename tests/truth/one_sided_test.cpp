@@ -39,11 +39,11 @@ GPU_TEST(OneSidedPixels, AreNowhereAwayFromEdges) {
     const auto truth = Tracer(scene, kSize.width, kSize.height)
                            .trace({.width = kSize.width, .height = kSize.height});
     Cell cell(cellDevice(device()), scene, {.technique = "none", .size = kSize});
-    if (cell.renderer().lightCount() == 0) {
+    if (cell.renderer().lights().empty()) {
       EXPECT_NE(spec.find("light_scale0"), spec.npos) << "no light touches what is seen";
       continue;
     }
-    const uint32_t light = cell.renderer().sceneLight(0);
+    const uint32_t light = cell.renderer().lights().front();
     size_t compared = 0;
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer) {
       const auto& edges = truth->edges[light * kTruthLayers + layer];

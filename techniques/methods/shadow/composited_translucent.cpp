@@ -2,9 +2,8 @@
 // Every translucent receiver reads the colour behind those casters alone that lie before it. Right
 // at every receiver up to texels and the rounding of the colour; no noise.
 //   partition=levels   one map a level of the light-space overlap graph, each caster drawn once;
-//   what
-//                      has no order (cycles, surfaces that shadow themselves) is peeled on its
-//                      level
+//                      what has no order (cycles, surfaces that shadow themselves) is peeled on
+//                      its level
 //   partition=peeled   layers peeled from the light: exact per texel, a pass a layer
 //   partition=batches  one map, made anew for each run of receivers that may share it
 //   partition=source   one map, made anew for each translucent mesh: seed 000's, quadratic
