@@ -154,6 +154,12 @@ void CameraPass::recordOpaque(Frame& frame) {
              });
 }
 
+void CameraPass::drawOpaque(rhi::CommandList& commands, DrawList& draws,
+                            rhi::PipelineId singleSided, rhi::PipelineId doubleSided) const {
+  for (const Bucket& b : m_buckets)
+    draws.draw(commands, b.doubleSided ? doubleSided : singleSided, b.instances);
+}
+
 void CameraPass::recordTranslucent(Frame& frame) {
   // A step that shows none, though others do.
   if (view().steps() > 1 && translucent().empty()) return;

@@ -74,10 +74,16 @@ class CameraPass {
   /// A list of its own, with bindings beside those of visibility.
   DrawList drawListWith(std::span<const rhi::Binding> extra) const;
 
- private:
-  friend class VisibilityBuffer;
+  // For whatever draws the same surfaces for another purpose.
+
+  /// A pipeline of surfaces that asks the technique: `fragment` of its folder, writing depth.
   rhi::GraphicsPipelineDesc surfacePipeline(const std::string& label, const std::string& fragment,
                                             bool masked) const;
+  /// The opaque surfaces that the camera sees, by pipelines and with bindings that are not its own.
+  void drawOpaque(rhi::CommandList& commands, DrawList& draws, rhi::PipelineId singleSided,
+                  rhi::PipelineId doubleSided) const;
+
+ private:
   /// Opaque instances that share a pipeline. Single-sided materials show no back faces (glTF); to
   /// light they are two-sided all the same.
   struct Bucket {

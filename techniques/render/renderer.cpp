@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "techniques/draw/texels.h"
+#include "techniques/render/frame_order.h"
 
 namespace sb {
 namespace {
@@ -94,14 +95,11 @@ FrameResult Renderer::frame(FrameMode mode) {
   m_at = step;
   return m_runner.run(mode, [&](Frame& frame) {
     if (moves) moveCamera(frame, step);
-    if (m_technique) m_technique->record(frame);
-    m_camera->recordOpaque(frame);
-    const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};
-    if (parts.empty()) m_camera->recordTranslucent(frame);
-    for (size_t i = 0; i < parts.size(); ++i) {
-      m_technique->recordPart(frame, i);
-      m_camera->recordTranslucent(frame, parts[i]);
-    }
+    recordInOrder(
+        frame, m_technique.get(),
+        {.opaque = [&] { m_camera->recordOpaque(frame); },
+         .translucent = [&] { m_camera->recordTranslucent(frame); },
+         .translucentPart = [&](auto part) { m_camera->recordTranslucent(frame, part); }});
   });
 }
 

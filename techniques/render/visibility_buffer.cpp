@@ -4,6 +4,7 @@
 
 #include "shaders/common/shared_slots.h"
 #include "shaders/common/shared_types.h"
+#include "techniques/render/frame_order.h"
 
 namespace sb {
 namespace {
@@ -65,15 +66,13 @@ VisibilityImage VisibilityBuffer::renderLayer(ViewLight light, uint32_t layer) {
   const rhi::TextureId previous = m_layerDepth[(layer + 1) % 2];
   const uint32_t ids[4] = {uint32_t(light), layer, 0, 0};
 
-  std::vector<rhi::Binding> extra = m_camera.inputs().bindings;
-  extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_camera.m_noOrder));
-  extra.push_back(rhi::uniformAt(UNIFORM_PASS, m_pass));
+  std::vector<rhi::Binding> extra = {rhi::uniformAt(UNIFORM_PASS, m_pass)};
   // The first passes have no earlier depth; whatever is bound there, they do not read it.
   const rhi::TextureId unread = view.gpu().textures(0).front().view.texture;
   extra.push_back(rhi::textureAt(TEXTURE_PREVIOUS_LAYER, layer > 1 ? previous : unread, m_sampler));
   extra.push_back(
       rhi::textureAt(TEXTURE_TRANSPARENCY, layer > 0 ? m_opaqueDepth.id() : unread, m_sampler));
-  DrawList draws(view, std::move(extra), true);
+  DrawList draws = m_camera.drawListWith(extra);
 
   std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
   if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
@@ -101,22 +100,19 @@ void VisibilityBuffer::recordLayer(rhi::CommandList& commands, uint32_t layer, D
                             .reads = reads});
     body();
   };
-  const auto drawTranslucent = [&](std::span<const uint32_t> instances) {
-    if (layer > 0) draws.draw(commands, m_doubleSided, instances);
+  const auto translucent = [&](std::span<const uint32_t> instances) {
+    pass(rhi::LoadOp::Load, [&] { draws.draw(commands, m_doubleSided, instances); });
   };
-  const auto parts = m_technique ? m_technique->parts() : decltype(m_technique->parts()){};
-  Frame frame(commands, m_queries, FrameMode::Plain);
-  if (!parts.empty()) m_technique->record(frame);
-  pass(rhi::LoadOp::Clear, [&] {
-    for (const CameraPass::Bucket& b : m_camera.m_buckets)
-      draws.draw(commands, b.doubleSided ? m_doubleSided : m_singleSided, b.instances);
-    if (parts.empty()) drawTranslucent(m_context.view.effects().visibleTranslucent);
-  });
-  if (layer == 0) return;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    m_technique->recordPart(frame, i);
-    pass(rhi::LoadOp::Load, [&] { drawTranslucent(parts[i]); });
+  SurfaceDraws surfaces{.opaque = [&] {
+    pass(rhi::LoadOp::Clear,
+         [&] { m_camera.drawOpaque(commands, draws, m_singleSided, m_doubleSided); });
+  }};
+  if (layer > 0) {
+    surfaces.translucent = [&] { translucent(m_camera.translucent()); };
+    surfaces.translucentPart = translucent;
   }
+  Frame frame(commands, m_queries, FrameMode::Plain);
+  recordInOrder(frame, m_technique, surfaces, Maps::Stand);
 }
 
 }  // namespace sb

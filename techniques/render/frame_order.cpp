@@ -1,0 +1,17 @@
+#include "techniques/render/frame_order.h"
+
+namespace sb {
+
+void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws& draws, Maps maps) {
+  const auto parts = technique ? technique->parts() : decltype(technique->parts()){};
+  if (technique && (maps == Maps::Record || !parts.empty())) technique->record(frame);
+  draws.opaque();
+  if (parts.empty() && draws.translucent) draws.translucent();
+  if (!draws.translucentPart) return;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    technique->recordPart(frame, i);
+    draws.translucentPart(parts[i]);
+  }
+}
+
+}  // namespace sb
