@@ -20,7 +20,7 @@ KnobInfo noiseKnob() {
   return {.name = "noise",
           .help =
               "random numbers: a hash; a tile of white or blue noise that each surface reads "
-              "elsewhere; strata over blocks as wide as the kernel; the source document's way, "
+              "elsewhere; strata over blocks as wide as the kernel; Modisett's way (2023), "
               "which is biased",
           .fallback = "hash",
           .choices = kinds(),

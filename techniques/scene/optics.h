@@ -27,7 +27,7 @@ struct OpticsPoint {
 /// Defined once, for C++ and shaders, in shaders/common/shared_optics.h.
 ///   OPAQUE                        alpha 1, t 0
 ///   MASK                          alpha 1 if a >= cutoff else 0, t 0
-///   BLEND                         alpha a, t 0.5 x rgb (seed 000, section 4.2.1); the camera's t is
+///   BLEND                         alpha a, t 0.5 x rgb (Modisett 2023, section 4.2.1); the camera's t is
 ///                                 0, so that it sees 1 - a of what lies behind
 ///   KHR_materials_transmission    t = transmission x rgb x (1 - metallic), for the camera too; alpha
 ///                                 stays what the mode makes it: coverage

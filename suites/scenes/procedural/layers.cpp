@@ -82,7 +82,7 @@ Scene make(const ParamValues& p) {
 
 ProceduralScene layers() {
   return {{"layers",
-           "white light through grey, rainbow and blue quads onto a white one (seed 000, 5.3.3)",
+           "white light through grey, rainbow and blue quads onto a white one (Modisett 2023, 5.3.3)",
            {{.name = "alpha",
              .fallback = 0.6,
              .low = 0,

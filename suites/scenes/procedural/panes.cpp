@@ -62,7 +62,7 @@ Scene make(const ParamValues& p) {
 
 ProceduralScene panes() {
   return {{"panes",
-           "three panes whose centres tell the wrong order (seed 000, figure 2.1.2.A)",
+           "three panes whose centres tell the wrong order (Modisett 2023, figure 2.1.2.A)",
            {{.name = "alpha", .fallback = 0.7, .low = 0, .high = 1, .help = "opacity of the panes"},
             sunRadiusParam()}},
           make};

@@ -91,7 +91,7 @@ Scene make(const ParamValues& p) {
 
 ProceduralScene spheresQuads() {
   return {{"spheres_quads",
-           "1000 grey spheres under a cloud of translucent blue quads (seed 000, section 5.1)",
+           "1000 grey spheres under a cloud of translucent blue quads (Modisett 2023, section 5.1)",
            {{.name = "quads",
              .unit = "",
              .fallback = 200,

@@ -39,7 +39,7 @@ Scene make(const ParamValues& p) {
 
 ProceduralScene roseWindow() {
   return {{"window",
-           "white light through a rose window onto a white wall (seed 000, section 5.3.2)",
+           "white light through a rose window onto a white wall (Modisett 2023, section 5.3.2)",
            {{.name = "resolution",
              .unit = "texels",
              .fallback = 1024,

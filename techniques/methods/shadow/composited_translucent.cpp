@@ -1,4 +1,4 @@
-// Composited translucent shadows (seed 000, section 4.2.3) and better partitions of it; spec 05.
+// Composited translucent shadows (Modisett 2023, section 4.2.3) and better partitions of it; spec 05.
 // Every translucent receiver reads the colour behind those casters alone that lie before it. Right
 // at every receiver up to texels and the rounding of the colour; no noise.
 //   partition=levels   one map a level of the light-space overlap graph, each caster drawn once;
@@ -6,7 +6,7 @@
 //                      its level
 //   partition=peeled   layers peeled from the light: exact per texel, a pass a layer
 //   partition=batches  one map, made anew for each run of receivers that may share it
-//   partition=source   one map, made anew for each translucent mesh: seed 000's, quadratic
+//   partition=source   one map, made anew for each translucent mesh: Modisett's, quadratic
 // The last two make maps between the camera's draws, and so need sorted meshes; surfaces that are
 // opaque to the camera but not to light read the map of all casters there.
 #include <algorithm>
@@ -245,7 +245,7 @@ std::vector<KnobInfo> knobs() {
   list.push_back(colourFormatKnob());
   list.push_back({.name = "partition",
                   .help = "how casters are spread over maps: levels of the overlap graph, peeled "
-                          "layers, batches of receivers, or a map for each mesh (seed 000)",
+                          "layers, batches of receivers, or a map for each mesh (Modisett 2023)",
                   .fallback = "levels",
                   .choices = {"levels", "peeled", "batches", "source"},
                   .sweep = {"levels", "peeled", "batches", "source"}});
@@ -273,7 +273,7 @@ REGISTER_TECHNIQUE(
         .folder = "composited_translucent",
         .title = "Composited translucent shadows: a colour for each set of casters before "
                  "a receiver",
-        .paper = "seed 000, section 4.2.3; levels, batches and peeling: this project",
+        .paper = "Modisett 2023, section 4.2.3; levels, batches and peeling: this project",
         .represents = kShadingEffects |
                       EffectSet{Effect::OpaqueCasters, Effect::PerforatedCasters,
                                 Effect::TranslucentCasters, Effect::ColouredTransmission,

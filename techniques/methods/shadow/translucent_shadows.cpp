@@ -5,8 +5,8 @@
 // and themselves included. No noise.
 //   variant=energy        D <- D (1 - alpha (1 - t)): what passes; commutes, nothing is sorted
 //   variant=published     D <- alpha c + (1 - alpha) D: surface colour as transmission; sorted
-//   variant=seed-blend    D <- alpha (1 - alpha) t + (1 - alpha) D: seed 000's program; sorted
-//   variant=seed-product  D <- D (1 - alpha) t: the other reading of seed 000's equation
+//   variant=seed-blend    D <- alpha (1 - alpha) t + (1 - alpha) D: Modisett's program; sorted
+//   variant=seed-product  D <- D (1 - alpha) t: the other reading of Modisett's equation
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
@@ -125,7 +125,7 @@ std::vector<KnobInfo> knobs() {
   list.push_back(colourFormatKnob());
   list.push_back({.name = "variant",
                   .help = "what a translucent surface does to light: the energy that passes, the "
-                          "published blend, or one of two readings of the source document",
+                          "published blend, or one of two readings of Modisett 2023",
                   .fallback = "energy",
                   .choices = kVariants,
                   .sweep = kVariants});

@@ -2,7 +2,7 @@
 // premultiplied, ONE / ONE_MINUS_SRC_ALPHA; where the scene has glass, two sources and ONE /
 // SRC1_COLOR. One pass, no extra memory. Wrong where the order of sorting is not the order of
 // fragments: large or intersecting meshes, cycles.
-//   sort=mesh      by the view depth of the centre of the bounding box (seed 000)
+//   sort=mesh      by the view depth of the centre of the bounding box (Modisett 2023)
 //   sort=triangle  by the view depth of the centroid of each triangle
 #include "techniques/draw/triangle_order.h"
 #include "techniques/draw/view_order.h"
@@ -81,7 +81,7 @@ REGISTER_TECHNIQUE(TransparencyTechnique, Sorted,
                        .name = "Sorted",
                        .folder = "sorted",
                        .title = "Sorted alpha blending",
-                       .paper = "Porter, Duff 1984; seed 000",
+                       .paper = "Porter, Duff 1984; Modisett 2023",
                        .represents = {Effect::CameraTransparency, Effect::CameraLayers,
                                       Effect::ColouredTransparency},
                        .requiresFor = {{Effect::ColouredTransparency,
