@@ -64,6 +64,7 @@ const std::vector<VisibilityImage>& Probe::visibility(uint32_t light) {
 }
 
 glm::dvec3 Probe::meanVisibility(uint32_t layer, uint32_t light) {
+  if (light == kFirstInView) light = m_renderer->lights().front();
   glm::dvec3 sum = middleMean(visibility(light)[layer]);
   for (uint32_t i = 1; i < m_seeds; ++i) {
     m_renderer->setSeed(m_options.seed + i);
