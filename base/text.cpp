@@ -94,6 +94,10 @@ std::string errorLine(std::string_view text) {
   return shortened(printable(text), kErrorLine, " ... ");
 }
 
+std::string counted(uint64_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 std::string shellWord(std::string_view text) {
   if (printable(text) != text) {
     std::string out = "$'";

@@ -1,6 +1,7 @@
 // Text from files and arguments on its way to a terminal, a table or a shell.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,9 @@ inline constexpr size_t kErrorLine = 300;
 /// `printable`, and never longer than `kErrorLine`: the middle gives way, for the ends say where
 /// and what was expected.
 std::string errorLine(std::string_view text);
+
+/// "1 cell", "2 cells"; `many` where it is not `one` and an s.
+std::string counted(uint64_t n, const std::string& one, const std::string& many = "");
 
 /// One word for a shell: as it is, or quoted; characters that a terminal acts upon as $'\xNN'.
 std::string shellWord(std::string_view text);

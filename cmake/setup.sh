@@ -62,8 +62,13 @@ setup_build() { # arguments: targets
     (cd "$root" && cmake --preset release -DSHADOWBENCH_WERROR=$werror) >"$log" 2>&1 ||
       { cat "$log" >&2; return 1; }
   fi
-  # Only a build that takes its time is worth a word.
-  (sleep 1 >/dev/null 2>&1 && say "Building (several minutes the first time; $build/build.log)") &
+  # Only a build that takes its time is worth a word, and then one every half minute.
+  (
+    sleep 1 >/dev/null 2>&1 && say "Building (several minutes the first time; $build/build.log)"
+    while sleep 30 >/dev/null 2>&1; do
+      say "  $(grep -o '^\[[0-9/]*\]' "$build/build.log" | tail -n 1)"
+    done
+  ) &
   local notice=$! status=0
   ninja -C "$build" "$@" >"$build/build.log" 2>&1 || status=$?
   kill $notice 2>/dev/null || true

@@ -135,6 +135,11 @@ std::string warnings(const Run& run) {
     found->second.push_back(name);
   };
   for (const Record& r : run.records) {
+    for (const std::string& e : r.effectsUnrepresented)
+      add("the scene calls for " + e + ", which " + r.technique + " does not show", r.name);
+    // Errors that are all absent for one reason: of the scene, not of the cell.
+    if (const auto why = r.why.find("image"); r.status == Status::Ok && why != r.why.end())
+      add("no error: " + oneLine(why->second), r.name);
     for (const std::string& c : r.contamination) add("contaminated, in no ratio: " + c, r.name);
     for (const std::string& w : r.warnings) add(oneLine(w), r.name);
   }

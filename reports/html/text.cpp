@@ -125,8 +125,4 @@ std::string withInterval(double value, double low, double high) {
   return figure(value) + " [" + figure(low) + ", " + figure(high) + "]";
 }
 
-std::string counted(size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 }  // namespace report

@@ -5,9 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "reports/json_error.h"
 
 namespace report {
+
+using base::counted;
 
 /// For HTML text and for attributes within either kind of quotes. What is not UTF-8, and control
 /// characters, become U+FFFD.
@@ -27,7 +30,5 @@ std::string percent(double share);
 std::string mebibytes(uint64_t bytes);
 /// "1.25 [1.1, 1.4]"
 std::string withInterval(double value, double low, double high);
-/// "1 cell", "2 cells"
-std::string counted(size_t n, const std::string& one, const std::string& many);
 
 }  // namespace report

@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/text.h"
 #include "reports/stats/regression.h"
 #include "reports/stats/tradeoff_parts.h"
 
@@ -62,10 +63,6 @@ std::string factorText(double factor) {
   return factor >= 9.95 ? fmt::format("{:.0f}", factor) : fmt::format("{:#.2g}", factor);
 }
 
-std::string numbered(size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
-
 Exchange exchangeOf(const std::string& technique, const std::vector<const TradePoint*>& points) {
   Exchange e = {.technique = technique};
   size_t erring = 0;
@@ -80,16 +77,16 @@ Exchange exchangeOf(const std::string& technique, const std::vector<const TradeP
     e.text = technique + ": no error to halve";
   } else if (erring < 3) {
     e.text = fmt::format("{}: no rate of exchange, {} with error; 3 are needed", technique,
-                         numbered(erring, "cell"));
+                         base::counted(erring, "cell"));
   } else if (front.size() < 3) {
     e.text =
         fmt::format("{}: no rate of exchange, {} of {} with error on its own front; 3 are needed",
-                    technique, front.size(), numbered(erring, "cell"));
+                    technique, front.size(), base::counted(erring, "cell"));
   } else {
     const Slope s = fitSlope(Logs(front.begin(), front.end()));
     e.factor = std::exp2(-s.value);
     e.text = fmt::format("{}: halving the error costs {} times the time ({}, {} to {})", technique,
-                         factorText(*e.factor), numbered(front.size(), "point"),
+                         factorText(*e.factor), base::counted(front.size(), "point"),
                          factorText(std::exp2(-s.interval.high)),
                          factorText(std::exp2(-s.interval.low)));
   }

@@ -39,7 +39,7 @@ std::string helpFooter() {
   for (const SceneInfo& s : proceduralScenes()) {
     out += "  " + s.name + ": " + s.help + "\n";
     for (const SceneParam& p : s.params)
-      out += "      " + p.name + "  [" + p.fallbackText() + "]  " + p.help + "\n";
+      out += "      " + p.name + "  [" + p.fallbackText() + (p.unit.empty() ? "" : " " + p.unit) + "]  " + p.help + "\n";
   }
   out +=
       "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at "

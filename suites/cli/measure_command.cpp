@@ -156,7 +156,12 @@ void printTables(const Options& options, const report::Run& run) {
   if (options.benchmark.display) return;
   if (!run.records.empty()) {
     print(report::toTable(run));
-    if (isSweep(run)) print("\n" + report::toTable(report::tradeOffs(run)));
+    if (isSweep(run)) {
+      const std::string table = report::toTable(report::tradeOffs(run));
+      print("\n" + (table.empty() ? "No trade-off of time and error: no two cells of one scene have "
+                                    "both an error and a time that is not contaminated.\n"
+                                  : table));
+    }
   }
   print(report::figuresText(run) + report::toTable(run.stability));
 }

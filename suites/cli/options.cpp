@@ -5,6 +5,7 @@
 
 #include "base/number.h"
 #include "base/percent.h"
+#include "base/text.h"
 #include "suites/cli/help.h"
 #include "suites/cli/output_files.h"
 #include "suites/harness/suite.h"
@@ -262,6 +263,10 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   } catch (const CLI::Success& e) {
     app.exit(e);
     return {};
+  } catch (const CLI::ExtrasError&) {
+    std::string extras;
+    for (const std::string& word : app.remaining(true)) extras += " " + base::shellWord(word);
+    throw InputError("", "not expected:" + extras + " (see bench --help)");
   } catch (const CLI::ParseError& e) {
     throw InputError("", std::string(e.what()) + " (see bench --help)");
   }

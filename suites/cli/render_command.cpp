@@ -18,6 +18,10 @@ namespace {
 CellId oneCell(const Options& options, const Platform& platform, Devices& devices) {
   Selection selection = options.selection;
   if (selection.techniques.empty()) selection.techniques = {"CSSM2"};
+  for (const std::string& name : selection.techniques)
+    if (name.starts_with(kReferenceTechnique))
+      throw InputError("--technique", "found " + name + ", which `bench truth` traces: `render` is "
+                                      "for what draws on a device");
   if (selection.scenes.empty()) selection.scenes = {"layers"};
   std::vector<std::string> candidates = defaultBackends(options);
   if (selection.backends.empty()) selection.backends = {candidates.front()};

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/number.h"
+#include "base/text.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/stability_runs.h"
 #include "suites/truth/truth_cache.h"
@@ -25,8 +26,8 @@ std::string suiteOf(const Options& options) {
 void requireFitting(const Selection& s, const Suite& suite) {
   if (!s.sets.empty() ||
       (!suite.runs.empty() && !(s.techniques.empty() && s.scenes.empty() && s.edits.empty())))
-    throw InputError("--suite", "found it beside techniques, scenes or knobs, which a suite names "
-                                "itself");
+    throw InputError("--suite", "found it beside --technique, --scene, --set or changes of a scene: "
+                                "a suite names these itself");
   if (s.scenes.empty() && !s.edits.empty())
     throw InputError("--suite", "found it beside changes of a scene, expected --scene too");
 }
@@ -96,8 +97,10 @@ std::string describePlan(const RunPlan& plan, const report::Run& run) {
     return out;
   };
   const MeasureSettings& s = plan.settings;
-  std::string text = std::to_string(plan.cells.size()) + " cells";
-  if (!plan.jobs.empty()) text += " and " + std::to_string(plan.jobs.size()) + " hard cases";
+  std::string text;
+  if (!plan.cells.empty()) text = base::counted(plan.cells.size(), "cell");
+  if (!plan.jobs.empty())
+    text += (text.empty() ? "" : " and ") + base::counted(plan.jobs.size(), "hard case");
   if (!plan.suite.empty()) text += " of the suite " + plan.suite;
   text += " on " + listed(backends);
   if (!sizes.empty()) text += ", size " + listed(sizes);
@@ -106,7 +109,7 @@ std::string describePlan(const RunPlan& plan, const report::Run& run) {
   else
     text += ", budget " + base::numberText(s.budgetSeconds) + " s a cell, precision " +
             base::numberText(100 * s.stop.precision) + " %";
-  text += s.judge.enabled ? ", " + std::to_string(s.judge.seeds) + " seeds" : ", no truth";
+  text += s.judge.enabled ? ", " + base::counted(s.judge.seeds, "seed") : ", no truth";
   return text + "; " + run.buildType + " build " + run.version + " (" + run.commit + ")";
 }
 

@@ -27,7 +27,8 @@ std::vector<StabilityJob> stabilityJobs(const Suite& suite, const Selection& ove
                                               .variants = run.variants,
                                               .seeds = run.seeds,
                                               .scenes = scenes,
-                                              .size = size}))
+                                              .size = size,
+                                              .quick = run.quick}))
         if (names.insert(jobName(job)).second) jobs.push_back(std::move(job));
     } catch (const InputError& e) {
       throw InputError(run.where, e.what());
@@ -62,7 +63,7 @@ report::StabilityRecord runOne(const StabilityJob& job, Devices& devices, LastSc
   std::optional<DeviceContext> otherDevice;
   if (second) otherDevice.emplace(second->context());
   try {
-    return runStability(job, device, otherDevice ? &*otherDevice : nullptr, false,
+    return runStability(job, device, otherDevice ? &*otherDevice : nullptr,
                         last.of(job));
   } catch (const rhi::Error& e) {
     if (rhi::isDeviceLost(e)) devices.lose(job.backend, e.what());

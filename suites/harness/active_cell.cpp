@@ -77,7 +77,7 @@ void ActiveCell::warmUp() {
     m_result->record.warnings.push_back(
         patient ? "ten warm-up windows did not agree: the time drifts"
                 : "the warm-up was cut at the budget: a frame takes " +
-                      base::numberText(std::round(last) * 1e-3) + " s");
+                      base::numberText(std::round(last)) + " ms");
   const double warm = patient ? loopMs(*m_subject, FrameMode::Plain) : last;
   m_samples.compileMs = m_subject->createMs() + std::max(0.0, first - warm);
   m_frameMs = std::max(warm / double(m_subject->steps()), 1e-3);

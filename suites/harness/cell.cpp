@@ -36,11 +36,13 @@ CellId baselineOf(const CellId& id) {
   return baseline;
 }
 
-std::string cellCommand(const CellId& id) {
+std::string cellCommand(const CellId& id, uint32_t seeds) {
   std::string command = "./bench --technique " + id.technique;
   if (id.transparency != kDefaultTransparency) command += "+" + id.transparency;
   command += " --backend " + id.backend + " --scene " + base::shellWord(id.scene);
   for (const auto& [name, value] : id.knobs) command += " --set " + base::shellWord(name + "=" + value);
+  if (seeds != kDefaultSeeds && !isReference(id) && shadowTechnique(id.technique).info.stochastic)
+    command += " --seeds " + std::to_string(seeds);
   if (id.seed != 0) command += " --seed " + std::to_string(id.seed);
   return command + " --size " + std::to_string(id.width) + "x" + std::to_string(id.height);
 }

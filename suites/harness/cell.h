@@ -11,6 +11,9 @@
 
 namespace sb {
 
+/// Of stochastic techniques, where nothing else is asked for.
+inline constexpr uint32_t kDefaultSeeds = 64;
+
 struct CellId {
   std::string technique;     ///< "CSSM2"
   std::string transparency;  ///< "Sorted"
@@ -34,8 +37,8 @@ CellId baselineOf(const CellId& id);
 /// Knobs of the pair with the cell's values. Throws InputError.
 Knobs cellKnobs(const CellId& id);
 
-/// The command line that measures this cell again.
-std::string cellCommand(const CellId& id);
+/// The command line that measures this cell again; `seeds`: over which noise is taken.
+std::string cellCommand(const CellId& id, uint32_t seeds = kDefaultSeeds);
 
 /// The transparency technique that names leave out.
 inline constexpr const char* kDefaultTransparency = "Sorted";

@@ -25,7 +25,7 @@ constexpr double kMeasure = 0.3, kVerify = 0.6;
 constexpr const char* kNotCompared =
     "the run ended before this cell was compared with the others of its group";
 
-report::Record recordOf(const CellId& id, const std::string& sceneHash,
+report::Record recordOf(const CellId& id, const std::string& sceneHash, uint32_t seeds,
                         const std::string& version) {
   report::Record r = {.name = cellName(id),
                       .technique = id.technique,
@@ -37,7 +37,7 @@ report::Record recordOf(const CellId& id, const std::string& sceneHash,
                       .height = id.height,
                       .seed = id.seed,
                       .version = version,
-                      .command = cellCommand(id)};
+                      .command = cellCommand(id, seeds)};
   const Knobs knobs = cellKnobs(id);
   for (const auto& [name, value] : knobs.all()) r.knobs[name] = value;
   return r;
@@ -62,7 +62,7 @@ class Group {
         m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
                 withProgress(settings.judge)) {
     for (const CellId& id : cells)
-      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), version), {}, {}, false});
+      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), settings.judge.seeds, version), {}, {}, false});
     m_active.reserve(m_results.size());
   }
 

@@ -66,6 +66,18 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
+/// Names of all that have a knob, for people.
+std::string techniquesWith(const std::string& knob) {
+  std::string names;
+  const auto add = [&](const TechniqueInfo& info) {
+    if (std::ranges::find(info.knobs, knob, &KnobInfo::name) != info.knobs.end())
+      names += (names.empty() ? "" : ", ") + info.name;
+  };
+  for (const ShadowEntry* t : shadowTechniques()) add(t->info);
+  for (const TransparencyEntry* t : transparencyTechniques()) add(t->info);
+  return names;
+}
+
 std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pair>& pairs) {
   std::set<std::string> known;
   for (const Pair& pair : pairs)
@@ -76,6 +88,10 @@ std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pai
     if (equals == std::string::npos || equals + 1 == text.size())
       throw InputError("--set", "found '" + text + "', expected knob=value[,value...]");
     Sweep sweep{text.substr(0, equals), split(text.substr(equals + 1), ',')};
+    if (const std::string others = known.contains(sweep.knob) ? "" : techniquesWith(sweep.knob);
+        !others.empty())
+      throw InputError("--set", "found '" + sweep.knob + "', which is a knob of " + others +
+                                    ", not of the techniques that are asked for");
     if (!known.contains(sweep.knob))
       throw InputError("--set",
                        unknownName("knob", sweep.knob, std::vector(known.begin(), known.end())));
@@ -192,16 +208,20 @@ std::vector<std::string> namedScenes(const Selection& selection) {
   return scenes;
 }
 
+void requireKnownBackends(const std::vector<std::string>& backends,
+                          std::vector<std::string> known) {
+  known.push_back(kReferenceBackend);
+  for (const std::string& b : backends)
+    if (std::ranges::find(known, b) == known.end())
+      throw InputError("--backend", unknownName("backend", b, known));
+}
+
 std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& knownBackends,
                                 const std::vector<std::string>& defaultBackends) {
   const auto pairs = selectPairs(selection);
   const auto sweeps = parseSweeps(selection, pairs);
-  std::vector<std::string> known = knownBackends;
-  known.push_back(kReferenceBackend);
-  for (const std::string& b : selection.backends)
-    if (std::ranges::find(known, b) == known.end())
-      throw InputError("--backend", unknownName("backend", b, known));
+  requireKnownBackends(selection.backends, knownBackends);
   Selection shown = selection;
   if (shown.scenes.empty()) shown.scenes = quickScenes();
   const std::vector<std::string> scenes = namedScenes(shown);

@@ -33,6 +33,10 @@ const std::vector<std::string>& quickScenes();
 /// The scenes that are named, with all edits, in canonical form. Throws InputError.
 std::vector<std::string> namedScenes(const Selection& selection);
 
+/// Throws InputError unless all are backends of the program, or the tracer's.
+void requireKnownBackends(const std::vector<std::string>& backends,
+                          std::vector<std::string> known);
+
 /// All cells of the selection, names unique, in a fixed order. Throws InputError naming the nearest
 /// existing technique, knob or backend, or when the filter matches nothing or is no regular
 /// expression.

@@ -90,11 +90,12 @@ std::vector<std::map<std::string, std::string>> variants(const SuiteReader& read
 StabilityRun parseStability(const SuiteReader& reader, const toml::node& node, size_t index) {
   const std::string field = "stability " + std::to_string(index + 1);
   const toml::table* table = &reader.table(node, field);
-  reader.requireKnown(*table, field, {"cases", "techniques", "set", "sweep", "seeds"});
+  reader.requireKnown(*table, field, {"cases", "techniques", "set", "sweep", "seeds", "quick"});
   StabilityRun run{.where = reader.at(node) + ": " + field};
   run.variants = variants(reader, *table, field);
   if (const auto* n = table->get("seeds"))
     run.seeds = uint32_t(reader.number(*n, field + ".seeds", kSeedCount));
+  if (const auto* n = table->get("quick")) run.quick = reader.boolean(*n, field + ".quick");
   if (const auto* n = table->get("cases")) run.cases = reader.texts(*n, field + ".cases");
   if (const auto* n = table->get("techniques"))
     run.techniques = reader.texts(*n, field + ".techniques");
@@ -171,6 +172,7 @@ std::vector<CellId> suiteCells(const Suite& suite, const Selection& over,
                                const std::vector<std::string>& knownBackends,
                                const std::vector<std::string>& defaultBackends) {
   if (suite.runs.empty()) return {};
+  requireKnownBackends(over.backends, knownBackends);
   std::vector<CellId> cells;
   std::set<std::string> names;
   for (const SuiteRun& run : suite.runs)

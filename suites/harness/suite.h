@@ -18,6 +18,7 @@
 //   sweep.format = ["rgba16", ...]   optional: variants, one knob at a time
 //   set.kernel = 3                   optional: the same for all of them
 //   seeds = 64                       optional: means of stochastic techniques over so many
+//   quick = true                     optional: fewer and smaller points of every case
 // and [[figure]]: figures of a document that the cells show again (suites/harness/suite_figures.h)
 #pragma once
 
@@ -36,10 +37,9 @@ namespace sb {
 inline constexpr base::NumberRule kSeedCount{.low = 1, .high = 65536, .whole = true};
 inline constexpr base::NumberRule kBudgetSeconds{.low = 0, .high = 1e6, .above = true};
 inline constexpr base::NumberRule kPrecisionPercent{.low = 0, .high = 1e6, .above = true};
-/// Where neither the command line nor a suite says it.
+/// Where neither the command line nor a suite says it; seeds: kDefaultSeeds.
 inline constexpr double kDefaultBudgetSeconds = 3;
 inline constexpr double kDefaultPrecisionPercent = 5;
-inline constexpr uint32_t kDefaultSeeds = 64;
 /// Longest file of a suite.
 inline constexpr uint64_t kSuiteBytes = uint64_t(4) << 20;
 
@@ -54,6 +54,7 @@ struct StabilityRun {
   std::vector<std::string> cases, techniques;
   std::vector<std::map<std::string, std::string>> variants = {{}};  ///< knobs of each
   uint32_t seeds = 1;
+  bool quick = false;  ///< fewer and smaller points of every case
 };
 
 struct Suite {

@@ -50,6 +50,12 @@ double SuiteReader::number(const toml::node& node, const std::string& field,
   return *value;
 }
 
+bool SuiteReader::boolean(const toml::node& node, const std::string& field) const {
+  const auto* value = node.as_boolean();
+  if (!value) fail(node, field, "true or false");
+  return value->get();
+}
+
 std::string SuiteReader::value(const toml::node& node, const std::string& field) const {
   if (const auto* s = node.as_string()) return s->get();
   if (const auto* i = node.as_integer()) return std::to_string(i->get());

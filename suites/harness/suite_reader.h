@@ -31,6 +31,7 @@ class SuiteReader {
   std::string text(const toml::node& node, const std::string& field) const;
   double number(const toml::node& node, const std::string& field,
                 const base::NumberRule& rule) const;
+  bool boolean(const toml::node& node, const std::string& field) const;
   /// A knob's value: a text or a number.
   std::string value(const toml::node& node, const std::string& field) const;
   Texts texts(const toml::node& node, const std::string& field) const;

@@ -21,7 +21,7 @@ struct CaseContext {
   std::string transparency;
   std::map<std::string, std::string> knobs = {};  ///< of the variant; what a case fixes wins
   uint32_t seeds = 1;  ///< over which means of stochastic techniques are taken
-  bool quick = false;  ///< fewer and smaller points, for tests
+  bool quick = false;  ///< fewer and smaller points
   const Scene* scene = nullptr;  ///< the user's, which a property is asked of; null: the case's own
   rhi::Extent2D size = {96, 64};  ///< of pictures of that scene
   const TechniqueInfo& info() const { return shadowTechnique(technique).info; }

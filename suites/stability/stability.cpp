@@ -121,6 +121,7 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
           for (const std::string& scene : own ? std::vector<std::string>{""} : selection.scenes) {
             StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds, scene};
             if (selection.size) job.size = *selection.size;
+            job.quick = selection.quick;
             if (!concerns(c, technique) || !hasKnobs(job)) continue;
             if (wanted.found(jobName(job))) jobs.push_back(std::move(job));
           }
@@ -155,7 +156,7 @@ report::StabilityRecord failedStability(const StabilityJob& job, const std::stri
 }
 
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
-                                     const DeviceContext* other, bool quick, const Scene* given) {
+                                     const DeviceContext* other, const Scene* given) {
   const StabilityCase& c = caseOf(job.caseId);
   std::optional<Scene> scene;
   if (!job.scene.empty()) scene = given ? *given : makeScene(job.scene);
@@ -166,7 +167,7 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
                             .transparency = job.transparency,
                             .knobs = job.knobs,
                             .seeds = job.seeds,
-                            .quick = quick,
+                            .quick = job.quick,
                             .scene = scene ? &*scene : nullptr,
                             .size = job.size};
   if (c.leavesOut)

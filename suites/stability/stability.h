@@ -17,6 +17,7 @@ struct StabilityJob {
   uint32_t seeds = 1;  ///< over which stochastic techniques are averaged
   std::string scene = "";  ///< of the user's, as makeScene() takes it; "": the case has its own
   rhi::Extent2D size = {96, 64};  ///< of that scene's pictures
+  bool quick = false;  ///< fewer and smaller points
 };
 
 /// "G1/CSSM2/vulkan", "G1/CSSM2/format:rgba16/vulkan", "G1/CSSM2/vulkan/a.glb/96x64": what --filter
@@ -37,6 +38,7 @@ struct StabilitySelection {
   /// Scenes that the generic properties are asked of, instead of every case's own.
   std::vector<std::string> scenes = {};
   std::optional<rhi::Extent2D> size = {};  ///< of their pictures
+  bool quick = false;                      ///< fewer and smaller points of every case
 };
 
 /// Every case of every technique that it asks something of. Throws InputError with the nearest
@@ -45,11 +47,10 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection);
 
 /// Runs one, on a device of the job's backend; `other`: of another API, or null. What the device
 /// declares that it lacks, or has no memory for, gives a record that is skipped with the reason; any
-/// other refusal is a failure. Throws rhi::Error when the device is lost. `quick`: fewer and smaller
-/// points. `scene`: the job's, where it names one; null: it is made anew.
+/// other refusal is a failure. Throws rhi::Error when the device is lost. `scene`: the job's, where it
+/// names one; null: it is made anew.
 report::StabilityRecord runStability(const StabilityJob& job, const DeviceContext& device,
-                                     const DeviceContext* other, bool quick,
-                                     const Scene* scene = nullptr);
+                                     const DeviceContext* other, const Scene* scene = nullptr);
 /// The record of a job that could not be run to its end.
 report::StabilityRecord failedStability(const StabilityJob& job, const std::string& why);
 /// The same for a backend that does not start.

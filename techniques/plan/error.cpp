@@ -23,14 +23,22 @@ size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = char(std::tolower((unsigned char)c));
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> nearestNames(std::string_view name, std::span<const std::string> names,
                                       size_t count) {
   std::vector<std::pair<size_t, std::string>> ranked;
   for (const std::string& candidate : names) {
-    const bool prefix = !name.empty() && candidate.starts_with(name);
-    ranked.emplace_back(prefix ? 0 : editDistance(name, candidate), candidate);
+    // What holds the word as it is, but for its case, comes before what resembles it.
+    const auto at = name.empty() ? std::string::npos : lower(candidate).find(lower(name));
+    const size_t rank = at == 0 ? 0 : at != std::string::npos ? 1 : 2 + editDistance(name, candidate);
+    ranked.emplace_back(rank, candidate);
   }
   std::ranges::sort(ranked);
   std::vector<std::string> nearest;

@@ -9,7 +9,10 @@ foreach(part input measuring samples stability survive technique timer truth wor
   add_test(NAME cli.${part}
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/${part}_test.py $<TARGET_FILE:bench>
       ${CMAKE_SOURCE_DIR})
-  # No compiled Python beside the sources, no truths of tests among the user's. Alone: they measure.
-  set_tests_properties(cli.${part} PROPERTIES RUN_SERIAL TRUE ENVIRONMENT
+  # No compiled Python beside the sources, no truths of tests among the user's.
+  set_tests_properties(cli.${part} PROPERTIES ENVIRONMENT
     "PYTHONDONTWRITEBYTECODE=1;SHADOWBENCH_FAKE_GPU=${CMAKE_BINARY_DIR}/fake_gpu;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-cache")
 endforeach()
+# What measures does so alone.
+set_tests_properties(cli.measuring cli.survive cli.technique cli.timer cli.world PROPERTIES
+  RUN_SERIAL TRUE)

@@ -32,10 +32,10 @@ TEST(StabilityFaults, OnlyWhatTheDeviceDeclaresIsASkip) {
   PipelineCache pipelines(*device);
   FrameQueries queries(*device);
   const DeviceContext context{*device, shaders, pipelines, queries};
-  const StabilityJob job{"G1", "ShadowMap", "Sorted", "null", {}, 1};
+  const StabilityJob job{.caseId = "G1", .technique = "ShadowMap", .transparency = "Sorted", .backend = "null", .quick = true};
   const auto verdict = [&](const std::string& code) {
     faults.code = code;
-    const report::StabilityRecord r = runStability(job, context, nullptr, true);
+    const report::StabilityRecord r = runStability(job, context, nullptr);
     EXPECT_NE(r.why.find("for this test"), std::string::npos) << r.why;
     return r.verdict;
   };
@@ -48,7 +48,7 @@ TEST(StabilityFaults, OnlyWhatTheDeviceDeclaresIsASkip) {
   EXPECT_EQ(verdict(rhi::kTooLarge), Verdict::Skipped);
   EXPECT_EQ(verdict("GL_OUT_OF_MEMORY"), Verdict::Skipped);
   faults.code = "VK_ERROR_DEVICE_LOST";
-  EXPECT_THROW(runStability(job, context, nullptr, true), rhi::Error);
+  EXPECT_THROW(runStability(job, context, nullptr), rhi::Error);
   EXPECT_EQ(failedStability(job, "gone").verdict, Verdict::Fail);
 }
 
@@ -73,10 +73,10 @@ TEST(StabilityFaults, WhatACasesSceneNeedsOfTheDeviceIsAskedFor) {
   grey.materials.back().transmission = 0;
   for (const TransparencyEntry* entry : transparencyTechniques()) {
     const std::string& name = entry->info.name;
-    StabilityJob job{"G8", "none", name, "null"};
+    StabilityJob job{.caseId = "G8", .technique = "none", .transparency = name, .backend = "null", .quick = true};
     job.scene = "given";
     const auto asked = [&](const Scene& scene) {
-      return runStability(job, context, nullptr, true, &scene);
+      return runStability(job, context, nullptr, &scene);
     };
     const report::StabilityRecord lacking = asked(glassy);
     EXPECT_EQ(lacking.verdict, report::Verdict::Skipped) << name;
@@ -85,7 +85,7 @@ TEST(StabilityFaults, WhatACasesSceneNeedsOfTheDeviceIsAskedFor) {
                                ", which " + name + " needs for coloured-transparency");
     EXPECT_EQ(asked(grey).verdict, report::Verdict::Pass) << name;
     // A case of its own scene, which has no glass, is asked as ever.
-    EXPECT_EQ(runStability({"G8", "none", name, "null"}, context, nullptr, true).verdict,
+    EXPECT_EQ(runStability({.caseId = "G8", .technique = "none", .transparency = name, .backend = "null", .quick = true}, context, nullptr).verdict,
               report::Verdict::Pass)
         << name;
   }

@@ -13,8 +13,8 @@ std::vector<report::StabilityRecord> runAll(test::CellDevice& device, const std:
                                             const std::string& filter) {
   std::vector<report::StabilityRecord> records;
   const DeviceContext context = device.context();
-  for (const StabilityJob& job : stabilityJobs({.backends = {backend}, .filter = filter}))
-    records.push_back(runStability(job, context, nullptr, true));
+  for (const StabilityJob& job : stabilityJobs({.backends = {backend}, .filter = filter, .quick = true}))
+    records.push_back(runStability(job, context, nullptr));
   return records;
 }
 
@@ -48,9 +48,13 @@ GPU_TEST(Stability, WhatATechniqueCannotShowIsFound) {
 GPU_TEST(Stability, PeeledCastersBeforeTheViewKeepTheirDepths) {
   // The camera sees the floor alone: what is clamped to the near plane would peel as one layer.
   const DeviceContext context = test::cellDevice(device()).context();
-  const StabilityJob job{
-      "layers", "CompositedTranslucent", "Sorted", backend(), {{"partition", "peeled"}}};
-  const report::StabilityRecord record = runStability(job, context, nullptr, true);
+  const StabilityJob job{.caseId = "layers",
+                         .technique = "CompositedTranslucent",
+                         .transparency = "Sorted",
+                         .backend = backend(),
+                         .knobs = {{"partition", "peeled"}},
+                         .quick = true};
+  const report::StabilityRecord record = runStability(job, context, nullptr);
   EXPECT_EQ(record.verdict, report::Verdict::Pass) << record.worst()->value;
 }
 
@@ -108,8 +112,9 @@ GPU_TEST(Stability, TheGenericPropertiesHoldOnScenes) {
     for (const StabilityJob& job : stabilityJobs({.techniques = {"ShadowMap", "CSSM2"},
                                                   .backends = {backend()},
                                                   .scenes = {scene},
-                                                  .size = rhi::Extent2D{64, 48}})) {
-      const report::StabilityRecord r = runStability(job, context, &context, true);
+                                                  .size = rhi::Extent2D{64, 48},
+                                                  .quick = true})) {
+      const report::StabilityRecord r = runStability(job, context, &context);
       passed += r.verdict == report::Verdict::Pass;
       EXPECT_NE(r.verdict, report::Verdict::Fail) << r.name() << ": " << r.why << " "
                                                   << r.worst()->value << " at " << r.worst()->x;

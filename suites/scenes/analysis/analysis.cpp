@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "suites/scenes/analysis/analysis.h"
 
 #include <algorithm>
@@ -9,9 +10,7 @@
 namespace sb {
 namespace {
 
-std::string count(size_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
+using base::counted;
 
 // Notes one effect after another with its reason.
 class Notes {
@@ -40,7 +39,7 @@ void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
   const auto note = [&](Effect effect, std::vector<uint32_t> LightEffects::*list,
                         const std::string& kind) {
     const size_t n = castersOf(effects, list).size();
-    notes.note(effect, n > 0, count(n, kind + " instance") + " may throw shadows into the view",
+    notes.note(effect, n > 0, counted(n, kind + " instance") + " may throw shadows into the view",
                "no " + kind + " instance can throw a shadow into the view");
   };
   note(Effect::OpaqueCasters, &LightEffects::opaqueCasters, "opaque");
@@ -52,11 +51,14 @@ void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
     textured += a.instances[i].traits.textured;
   }
   notes.note(Effect::ColouredTransmission, coloured > 0,
-             count(coloured, "translucent caster") + " let colours through unequally",
+             counted(coloured, "translucent caster lets", "translucent casters let") +
+                 " colours through unequally",
              "no translucent caster has a transmission colour");
   notes.note(
       Effect::TexturedTransmission, textured > 0,
-      count(textured, "translucent caster") + " vary over their surface (texture or colours)",
+      counted(textured, "translucent caster varies over its surface",
+              "translucent casters vary over their surface") +
+          " (texture or colours)",
       "no translucent caster varies over its surface");
 }
 
@@ -67,7 +69,7 @@ void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
         instance.visible && instance.lit && (instance.seeThrough() || instance.passesLight());
   const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
   notes.note(Effect::TranslucentReceivers, receivers > 0 && casts,
-             count(receivers, "visible translucent instance") + " may receive shadows",
+             counted(receivers, "visible translucent instance") + " may receive shadows",
              receivers == 0 ? "no lit translucent instance is visible"
                             : "nothing throws a shadow into the view");
   Overlap overlap;
@@ -92,16 +94,17 @@ void noteLights(const Analysis& a, const Effects& effects, bool mediumBetween, N
     local += source.type != LightType::Directional;
     area += source.radius > 0;
   }
-  notes.note(Effect::AreaLights, area > 0, count(area, "light") + " with a radius touch the view",
+  notes.note(Effect::AreaLights, area > 0, counted(area, "light with a radius touches", "lights with a radius touch") + " the view",
              "no light that touches the view has a radius");
-  notes.note(Effect::MultipleLights, touching > 1, count(touching, "light") + " touch the view",
+  notes.note(Effect::MultipleLights, touching > 1, counted(touching, "light touches", "lights touch") + " the view",
              touching == 0 ? "no light touches the view" : "one light touches the view");
   notes.note(Effect::LocalLights, local > 0,
-             count(local, "point or spot light") + " touch the view",
+             counted(local, "point or spot light touches", "point or spot lights touch") +
+                 " the view",
              "no point or spot light touches the view");
   const size_t seen = size_t(std::ranges::count(a.mediumSeen, true));
   notes.note(Effect::ParticipatingMedia, seen > 0 || mediumBetween,
-             seen > 0 ? count(seen, "medium box") + " in view"
+             seen > 0 ? counted(seen, "medium box", "medium boxes") + " in view"
                       : "a medium lies between a light and the view",
              a.media.empty() ? "the scene has no medium"
                              : "no medium is in view or between a light and the view");
@@ -110,7 +113,7 @@ void noteLights(const Analysis& a, const Effects& effects, bool mediumBetween, N
 void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
   const size_t through = effects.visibleTranslucent.size();
   notes.note(Effect::CameraTransparency, through > 0,
-             "the camera sees through " + count(through, "instance"),
+             "the camera sees through " + counted(through, "instance"),
              "the camera sees through nothing");
   const Overlap overlap = findScreenOverlap(a);
   const auto name = [&](uint32_t i) { return "'" + a.scene.instances[i].name + "'"; };
@@ -125,7 +128,7 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
   const auto glass = [&](uint32_t i) { return a.instances[i].traits.cameraColoured; };
   const size_t coloured = size_t(std::ranges::count_if(effects.visibleTranslucent, glass));
   notes.note(Effect::ColouredTransparency, coloured > 0,
-             "the camera sees through glass in " + count(coloured, "instance") +
+             "the camera sees through glass in " + counted(coloured, "instance") +
                  ": each channel has a weight of its own",
              "no visible surface transmits what lies behind");
   size_t mapped = 0, emitting = 0;
@@ -136,10 +139,11 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
     emitting += m.unlit || m.emissive != glm::vec3(0);
   }
   notes.note(Effect::NormalMaps, mapped > 0,
-             count(mapped, "visible instance") + " have a normal map",
+             counted(mapped, "visible instance has", "visible instances have") + " a normal map",
              "no visible instance has a normal map");
   notes.note(Effect::Emission, emitting > 0,
-             count(emitting, "visible instance") + " emit light or are unlit",
+             counted(emitting, "visible instance emits light or is unlit",
+                     "visible instances emit light or are unlit"),
              "no visible instance emits light or is unlit");
 }
 

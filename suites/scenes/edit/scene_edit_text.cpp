@@ -3,6 +3,7 @@
 
 #include "base/number.h"
 #include "base/percent.h"
+#include "base/text.h"
 #include "suites/scenes/edit/scene_edit.h"
 #include "techniques/plan/error.h"
 
@@ -63,15 +64,29 @@ std::string decodedName(const std::string& where, const std::string& text) {
   return *std::move(name);
 }
 
+/// The option that asks for an edit, as its user wrote it; names of cells and suites hold edits too.
+std::string whereOf(const std::string& text) {
+  for (const std::string target : {"camera", "sun", "motion"})
+    if (text.starts_with(target + ":"))
+      return "--" + target + " '" + text.substr(target.size() + 1) + "'";
+  return "--set-material '" + text + "'";
+}
+
+/// How the option is written, for complaints.
+std::string formOf(const std::string& text) {
+  if (text.starts_with("camera:")) return "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]";
+  if (text.starts_with("sun:")) return "direction=X,Y,Z[,lux=E]";
+  if (text.starts_with("motion:")) return "move=X,Y,Z[,turn=DEG][,steps=N]";
+  return "GLOB:alpha=A[,t=R,G,B]";
+}
+
 SceneEdit parseEdit(const std::string& text) {
-  const std::string where = "scene edit '" + text + "'";
+  const std::string where = whereOf(text);
   // Names of materials may hold colons; keys do not.
   const size_t equals = text.find('=');
   const size_t colon = equals == text.npos ? text.npos : text.rfind(':', equals);
   if (colon == text.npos || colon == 0)
-    throw InputError(where,
-                     "expected camera:..., sun:..., motion:... or MATERIAL:key=value,... "
-                     "(or ground:size=N, file:scene=NAME)");
+    throw InputError(where, "expected " + formOf(text));
   SceneEdit edit{.target = text.substr(0, colon), .values = {}, .names = {}};
   const std::vector<Key>& keys = keysOf(edit.target, text.substr(colon + 1, equals - colon - 1));
   const Key* key = nullptr;
@@ -96,7 +111,7 @@ SceneEdit parseEdit(const std::string& text) {
       edit.values.push_back({name, {}});
       item = item.substr(at + 1);
     }
-    if (!key || key->text) throw InputError(where, "found '" + item + "', expected key=value");
+    if (!key || key->text) throw InputError(where, "found '" + item + "', expected " + formOf(text));
     edit.values.back().second.push_back(parseNumber(where, *key, item));
   }
   for (const Key& k : keys) {
@@ -106,14 +121,15 @@ SceneEdit parseEdit(const std::string& text) {
     }
     const auto found = std::ranges::find(edit.values, k.name, [](auto& v) { return v.first; });
     if (found == edit.values.end()) {
-      if (k.required) throw InputError(where, std::string("lacks ") + k.name);
+      if (k.required)
+        throw InputError(where, std::string("lacks ") + k.name + ", expected " + formOf(text));
       continue;
     }
     auto& numbers = found->second;
     if (std::string(k.name) == "t" && numbers.size() == 1) numbers.resize(3, numbers[0]);
     if (numbers.size() != k.most)
-      throw InputError(where, std::string(k.name) + " has " + std::to_string(numbers.size()) +
-                                  " numbers, expected " + std::to_string(k.most));
+      throw InputError(where, std::string(k.name) + " has " + base::counted(numbers.size(), "number") +
+                                  ", expected " + std::to_string(k.most));
   }
   std::ranges::sort(edit.values, {}, [&](const auto& v) {
     return std::ranges::find(keys, v.first, &Key::name) - keys.begin();
@@ -129,7 +145,7 @@ const std::vector<double>* SceneEdit::find(std::string_view key) const {
   return nullptr;
 }
 
-std::string SceneEdit::where() const { return "scene edit '" + canonicalEdits({*this}) + "'"; }
+std::string SceneEdit::where() const { return whereOf(canonicalEdits({*this})); }
 
 std::string SceneEdit::name() const { return decodedName(where(), names.front().second); }
 
