@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -124,9 +125,25 @@ std::string legend(const Run& run) {
   return out;
 }
 
+/// What a scene calls for and none of its cells shows.
+std::string unshown(const Run& run) {
+  std::map<std::string, std::set<std::string>> lacking;
+  for (const Record& r : run.records) {
+    if (r.status != Status::Ok) continue;
+    const std::set<std::string> here(r.effectsUnrepresented.begin(), r.effectsUnrepresented.end());
+    const auto [scene, isNew] = lacking.try_emplace(r.scene, here);
+    if (!isNew) std::erase_if(scene->second, [&](const auto& e) { return !here.contains(e); });
+  }
+  std::string out;
+  for (const auto& [scene, effects] : lacking)
+    for (const std::string& effect : effects)
+      out += fmt::format("warning: {} calls for {}, which no cell here shows\n", scene, effect);
+  return out;
+}
+
 /// The same words of several cells stand once.
 std::string warnings(const Run& run) {
-  std::string out;
+  std::string out = unshown(run);
   for (const std::string& w : run.warnings) out += "warning: " + oneLine(w) + "\n";
   std::vector<std::pair<std::string, std::vector<std::string>>> byText;
   auto add = [&](const std::string& text, const std::string& name) {
@@ -135,8 +152,6 @@ std::string warnings(const Run& run) {
     found->second.push_back(name);
   };
   for (const Record& r : run.records) {
-    for (const std::string& e : r.effectsUnrepresented)
-      add("the scene calls for " + e + ", which " + r.technique + " does not show", r.name);
     // Errors that are all absent for one reason: of the scene, not of the cell.
     if (const auto why = r.why.find("image"); r.status == Status::Ok && why != r.why.end())
       add("no error: " + oneLine(why->second), r.name);

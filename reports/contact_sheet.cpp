@@ -29,7 +29,7 @@ Picture contactSheet(uint32_t width, uint32_t height, std::span<const std::span<
   const uint32_t rows = (uint32_t(cells.size()) + columns - 1) / columns;
   uint32_t factor = 1, w = width, h = height;
   const auto tooLarge = [&] {
-    return uint64_t(columns) * (w + kGap) > side || uint64_t(rows) * (h + kGap) > side;
+    return uint64_t(columns) * (w + kGap) > side + kGap || uint64_t(rows) * (h + kGap) > side + kGap;
   };
   while (tooLarge() && (w > 1 || h > 1)) {
     ++factor;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 
 namespace report {
 namespace {
@@ -42,9 +42,9 @@ std::vector<float> plane(const Channel& channel, uint32_t width, uint32_t height
 }
 
 /// Rows are compressed 16 together, or one by one where that would be more than an int counts.
-int compressionFor(size_t bytesOfRow) {
+int compressionFor(const std::filesystem::path& path, size_t bytesOfRow) {
   if (bytesOfRow > INT_MAX)
-    throw std::runtime_error("a row of " + std::to_string(bytesOfRow) +
+    throw std::runtime_error("cannot write " + path.string() + ": a row of " + std::to_string(bytesOfRow) +
                              " bytes is too long for OpenEXR");
   return bytesOfRow * 16 > INT_MAX ? TINYEXR_COMPRESSIONTYPE_ZIPS : TINYEXR_COMPRESSIONTYPE_ZIP;
 }
@@ -71,7 +71,7 @@ void writeExr(const std::filesystem::path& path, uint32_t width, uint32_t height
   header.channels = infos.data();
   header.pixel_types = types.data();
   header.requested_pixel_types = types.data();
-  header.compression_type = compressionFor(size_t(width) * channels.size() * sizeof(float));
+  header.compression_type = compressionFor(path, size_t(width) * channels.size() * sizeof(float));
   header.long_name =
       std::ranges::any_of(channels, [](const Channel& c) { return c.name.size() > 31; });
   EXRImage image;
@@ -89,7 +89,7 @@ void writeExr(const std::filesystem::path& path, uint32_t width, uint32_t height
     if (error) FreeEXRErrorMessage(error);
     throw std::runtime_error("cannot write " + path.string() + ": " + why);
   }
-  writeAtomically(path, {reinterpret_cast<const char*>(bytes), size});
+  base::writeAtomically(path, {reinterpret_cast<const char*>(bytes), size});
 }
 
 }  // namespace report

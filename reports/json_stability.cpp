@@ -25,7 +25,10 @@ Json stabilityToJson(const StabilityRecord& r) {
               {"breaks_at", r.breaksAt ? Json(*r.breaksAt) : Json(nullptr)},
               {"curve", Json::array()}};
   if (r.scene.empty()) {
-    out["scene_why"] = "the case has its own";
+    for (const std::string key : {"scene", "width", "height"}) {
+      out[key] = nullptr;
+      out[key + "_why"] = "the case has its own";
+    }
   } else {
     out["width"] = r.width;
     out["height"] = r.height;

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 #include "reports/exr.h"
 
 namespace report {
@@ -37,7 +37,7 @@ std::string encodePng(uint32_t width, uint32_t height, std::span<const uint8_t> 
 }
 
 void writePng(const std::filesystem::path& path, const Picture& picture, float exposure) {
-  writeAtomically(path, encodePng(picture.width, picture.height, toSrgb8(picture, exposure)));
+  base::writeAtomically(path, encodePng(picture.width, picture.height, toSrgb8(picture, exposure)));
 }
 
 void writeExr(const std::filesystem::path& path, const Picture& picture) {

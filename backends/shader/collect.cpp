@@ -36,7 +36,8 @@ std::vector<CompileJob> collect(const fs::path& root) {
   std::set<std::string> techniques, transparencies;
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (!entry.is_regular_file()) continue;
+    std::error_code broken;  // a link that leads nowhere, or in circles
+    if (!entry.is_regular_file(broken)) continue;
     const fs::path file = fs::relative(entry.path(), root);
     files.push_back(file);
     if (file.filename() == "visibility.glsl") techniques.insert(file.parent_path().string());

@@ -63,7 +63,7 @@ vec4 stratifiedNumbers(uvec2 texel, uint key, uint sampleIndex, uint seed, uvec4
   return min(xi, vec4(1.0 - 1.0 / 16777216.0));
 }
 
-// As the source document's program does it: a tile over the world, 2048 texels a unit, looked up by
+// As Modisett's program does it: a tile over the world, 2048 texels a unit, looked up by
 // position and texture coordinates (how it joins the three and the two is not told). Nothing in it
 // belongs to the surface, and its 256 levels include 0.
 vec4 sourceNumbers(uint seed, vec2 uv) {
@@ -75,7 +75,7 @@ vec4 sourceNumbers(uint seed, vec2 uv) {
   return textureLod(t_noise, world.xy + world.zz + uv + shift, 0.0);
 }
 
-// Four numbers in [0,1) of the texel at hand; `uv` matters to the source document's kind alone.
+// Four numbers in [0,1) of the texel at hand; `uv` matters to Modisett's kind alone.
 vec4 noiseNumbers(uint key, uint sampleIndex, vec2 uv) {
   uvec2 texel = uvec2(gl_FragCoord.xy);
   uint seed = pcg4d(uvec4(frame.counts.w, shadowViews[PASS_SHADOW_VIEW].ids.x, 0u, 0u)).x;

@@ -1,7 +1,7 @@
 #version 450
 // The colour that light keeps behind one translucent surface, for blending with the surfaces before
 // and behind it. VARIANT_ENERGY is what passes: not met, or met and transmitted. The other three are
-// the published way and two readings of the source document (spec 02).
+// the published way and two readings of Modisett 2023 (spec 02).
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/material.glsl"

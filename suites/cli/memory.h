@@ -10,8 +10,8 @@ namespace sb {
 /// --max-memory, or half of the machine's, for everything that follows.
 void limitMemory(const Options& options);
 
-/// What is made of a scene. `Files`: the visibility of all lights is written, which takes as much
-/// again.
+/// What is made of a scene. `Files`: the visibility of all lights is written, which needs memory
+/// of its own.
 enum class Made : uint8_t { Picture, VisibilityFiles, Truth, TruthFiles };
 
 /// Throws InputError with the figure when a scene, or what is to be made of it, does not fit.

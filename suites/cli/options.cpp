@@ -17,7 +17,7 @@ namespace sb {
 namespace {
 
 constexpr base::NumberRule kSeed{.low = 0, .high = UINT32_MAX, .whole = true};
-constexpr base::NumberRule kExposure{.low = 0, .high = 1e9, .above = true};
+constexpr base::NumberRule kExposure{.low = 1e-30, .high = 1e9};
 
 /// Calls `set` with an option's number. CLI11's own conversions wrap, and take "nan".
 CLI::Option* addNumber(CLI::App& app, const std::string& name, const base::NumberRule& rule,
@@ -257,6 +257,10 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   CLI::App* report = addReport(app, o);
   app.require_subcommand(0, 1);
 
+  // CLI11 would take the next argument for the value.
+  for (const std::string& a : arguments)
+    if (a.starts_with("--") && a.find('=') + 1 == a.size())
+      throw InputError(a.substr(0, a.size() - 1), "found an empty text");
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector back to front
   try {
     app.parse(arguments);

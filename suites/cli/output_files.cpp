@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 #include "reports/html/html.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/visibility_files.h"
@@ -34,7 +34,7 @@ Files inputFiles(const Options& o) {
 
 /// Files that come beside those that are named.
 Files companions(const Options& o) {
-  if (o.command != Command::Measure || o.jsonFile.empty() || report::isSpecialFile(o.jsonFile))
+  if (o.command != Command::Measure || o.jsonFile.empty() || base::isSpecialFile(o.jsonFile))
     return {};
   return {{"the journal of --json", report::journalBeside(o.jsonFile).string()},
           {"the pictures of --json", report::picturesBeside(o.jsonFile).string()}};
@@ -44,7 +44,7 @@ Files companions(const Options& o) {
 
 fs::path realPath(const fs::path& path) {
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(fs::absolute(report::linkTarget(path)), error);
+  const fs::path real = fs::weakly_canonical(fs::absolute(base::linkTarget(path)), error);
   return error ? path : real;
 }
 
@@ -109,7 +109,7 @@ void requireSaneFiles(const CLI::App& app, const Options& options) {
   files.insert(files.end(), more.begin(), more.end());
   for (const auto& [option, path] : files) {
     // Devices and pipes keep nothing: several may go there.
-    if (report::isSpecialFile(path)) continue;
+    if (base::isSpecialFile(path)) continue;
     const auto [other, isNew] = taken.try_emplace(realPath(path), option);
     if (!isNew && other->second != option)
       throw InputError(option, "found " + path + ", which is also that of " + other->second +

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 #include "reports/csv.h"
 #include "reports/html/html.h"
 #include "reports/json.h"
@@ -16,7 +16,7 @@ namespace sb {
 namespace fs = std::filesystem;
 
 fs::path picturesOf(const Options& options, const fs::path& journal) {
-  if (!options.jsonFile.empty() && !report::isSpecialFile(options.jsonFile))
+  if (!options.jsonFile.empty() && !base::isSpecialFile(options.jsonFile))
     return report::picturesBeside(options.jsonFile);
   return options.htmlFile.empty() ? fs::path() : report::picturesBeside(journal);
 }
@@ -29,7 +29,7 @@ Outputs::Outputs(const Options& options) : m_options(options) {
   if (!fs::is_directory(folder, error))
     throw InputError("--json", "found a file " + folder.string() +
                                    ", expected the folder of its pictures, or nothing");
-  if (const std::string why = report::whyNotWritable(folder / "x.png"); !why.empty())
+  if (const std::string why = base::whyNotWritable(folder / "x.png"); !why.empty())
     throw InputError("--json", "cannot write into " + folder.string() + ": " + why);
 }
 
@@ -39,7 +39,7 @@ void Outputs::addPictures(const PictureFiles& files) {
     fs::create_directories(m_pictures);
     for (const auto& [hash, png] : files) {
       const fs::path path = m_pictures / (hash + ".png");
-      if (!fs::exists(path)) report::writeAtomically(path, png);
+      if (!fs::exists(path)) base::writeAtomically(path, png);
     }
   } catch (const std::exception& e) {
     if (m_lostPictures.empty()) say(std::string("warning: pictures are lost: ") + e.what());
@@ -51,7 +51,7 @@ bool Outputs::writeText(const std::string& option, const std::string& path,
                         const std::string& content) {
   if (path.empty()) return true;
   try {
-    report::writeAtomically(path, content);
+    base::writeAtomically(path, content);
     return true;
   } catch (const std::exception& e) {
     say(option + ": " + e.what());
@@ -60,7 +60,7 @@ bool Outputs::writeText(const std::string& option, const std::string& path,
       fs::temp_directory_path() /
       ("shadowbench-" + std::to_string(getpid()) + "-" + fs::path(path).filename().string());
   try {
-    report::writeAtomically(aside, content);
+    base::writeAtomically(aside, content);
     say(option + ": the results are in " + aside.string() + " instead");
   } catch (const std::exception& e) {
     say(option + ": nor " + e.what());

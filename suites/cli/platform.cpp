@@ -2,7 +2,7 @@
 #include "backends/opengl/gl_backend.h"
 #include "backends/shader/collect.h"
 #include "backends/vulkan/vk_backend.h"
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 #include "suites/cli/commands.h"
 #include "suites/cli/vector_width.h"
 #include "techniques/plan/error.h"
@@ -43,7 +43,7 @@ Platform makePlatform(const Options& options) {
 }
 
 void requireWritable(const std::string& option, const std::string& path) {
-  if (const std::string why = report::whyNotWritable(path); !why.empty())
+  if (const std::string why = base::whyNotWritable(path); !why.empty())
     throw InputError(option, "cannot write " + path + ": " + why);
 }
 

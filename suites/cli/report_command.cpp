@@ -1,7 +1,7 @@
 // bench report: the HTML page of a run that was written as JSON. No device is opened.
 #include <filesystem>
 
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 #include "reports/bounded_file.h"
 #include "reports/html/html.h"
 #include "reports/json_read.h"
@@ -56,9 +56,9 @@ int reportCommand(const Options& options) {
   } catch (const report::ReadError& e) {
     throw InputError("", e.what());
   }
-  report::writeAtomically(html, reportPage(run, pictures));
+  base::writeAtomically(html, reportPage(run, pictures));
   // A page that goes to a pipe goes there alone.
-  if (!report::isSpecialFile(html)) print(html + "\n");
+  if (!base::isSpecialFile(html)) print(html + "\n");
   return 0;
 }
 

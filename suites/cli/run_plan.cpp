@@ -30,6 +30,8 @@ void requireFitting(const Selection& s, const Suite& suite) {
                                 "a suite names these itself");
   if (s.scenes.empty() && !s.edits.empty())
     throw InputError("--suite", "found it beside changes of a scene, expected --scene too");
+  if (suite.runs.empty() && s.scenes.empty() && s.size)
+    throw InputError("--size", "found it for hard cases with pictures of their own, expected --scene too");
 }
 
 MeasureSettings settingsOf(const Options& options, const Suite& suite) {
@@ -65,6 +67,8 @@ RunPlan planRun(const Options& options, const std::vector<std::string>& known) {
     Selection all = options.selection;
     all.filter.clear();
     const auto cells = suiteCells(suite, all, known, defaults);
+    if (options.seeds)
+      for (StabilityRun& run : suite.stability) run.seeds = *options.seeds;
     const auto jobs = stabilityJobs(suite, all, defaults);
     std::vector<std::string> names;
     for (const CellId& id : cells) names.push_back(cellName(id));

@@ -3,12 +3,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <set>
 
+#include "base/atomic_file.h"
 #include "base/number.h"
 #include "base/text.h"
-#include "reports/atomic_file.h"
 #include "reports/html/html.h"
+#include "reports/picture.h"
 #include "suites/cli/say.h"
 #include "suites/cli/unfinished_runs.h"
 #include "suites/cli/vector_width.h"
@@ -22,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool keepsJson(const Options& o) {
-  return !o.jsonFile.empty() && !report::isSpecialFile(o.jsonFile);
+  return !o.jsonFile.empty() && !base::isSpecialFile(o.jsonFile);
 }
 
 /// Of runs without a JSON file to lie beside.
@@ -42,10 +46,12 @@ void setAside(const fs::path& path) {
     const JournalContent content = readJournal(path);
     if (content.cells.empty() && content.hardCases.empty() && content.blocks.empty()) return;
   } catch (const InputError&) {
-    // Not ours to judge: kept.
+    throw InputError("journal", "found " + path.string() +
+                                    ", which is no journal of a run, expected its place free");
   }
   fs::path old = path;
-  old += ".old";
+  for (int n = 1; n == 1 || fs::exists(fs::symlink_status(old, error)); ++n)
+    old = path.string() + ".old" + (n > 1 ? std::to_string(n) : "");
   fs::rename(path, old, error);
   if (error) throw InputError("journal", "cannot move " + path.string() + ": " + error.message());
   say("found the journal of a run that ended early; it is " + old.string() + " now (--resume)");
@@ -86,6 +92,23 @@ Options resolveResume(const Options& given) {
   return *options;
 }
 
+/// Of a folder's files and what they hold: shaders may be changed between two parts of a run.
+static std::string folderIdentity(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored)) continue;
+    std::ifstream in(entry->path(), std::ios::binary);
+    files[entry->path().string()] = std::string(std::istreambuf_iterator<char>(in), {});
+  }
+  std::string all;
+  for (const auto& [name, content] : files)
+    all += name + '\0' + std::to_string(content.size()) + '\0' + content;
+  return folder.string() + " " + report::contentHash(std::as_bytes(std::span(all)));
+}
+
 JournalHeader describeRun(const Options& options, const MeasureSettings& settings,
                           const std::vector<CellId>& cells, const std::vector<StabilityJob>& jobs,
                           Devices& devices, const report::Run& run) {
@@ -101,7 +124,7 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
                                  ? base::numberText(double(*settings.judge.exposure))
                                  : "automatic"},
                 {"validation", options.validate ? "yes" : "no"},
-                {"shaders", options.shaderFolder.empty() ? "built-in" : options.shaderFolder}};
+                {"shaders", options.shaderFolder.empty() ? "built-in" : folderIdentity(options.shaderFolder)}};
   if (const std::string width = vectorWidth(); !width.empty()) h.settings["vector width"] = width;
   std::set<std::string> backends;
   for (const CellId& cell : cells) {
@@ -112,6 +135,8 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
   }
   for (const StabilityJob& job : jobs) {
     h.hardCases.push_back(jobName(job));
+    h.settings["points of hard cases"] = job.quick ? "few" : "all";
+    h.settings["seeds of hard cases"] = std::to_string(job.seeds);
     backends.insert(job.backend);
     if (const std::string scene = base::printable(job.scene);
         !scene.empty() && !h.scenes.contains(scene))

@@ -42,7 +42,7 @@ std::string whyNoVectorWidth(const std::string& value) {
 
 std::string vectorWidthNote(const std::string& value) {
   return std::string(kVariable) + "=" + value +
-         ": software devices do not run at their default width, times are of this width alone; "
+         ": software devices run at this width, and times are of it alone; "
          "Mesa's shader cache is not used, for it mixes up widths and corrupts the heap";
 }
 

@@ -25,6 +25,20 @@ std::string layerName(uint32_t layer) {
   return layer == 0 ? "opaque" : "layer" + std::to_string(layer);
 }
 
+/// "0, 2 to 4": the first `count`.
+std::string listed(const std::set<uint32_t>& numbers, size_t count) {
+  std::string out;
+  auto it = numbers.begin();
+  while (count > 0) {
+    const uint32_t first = *it;
+    uint32_t last = first;
+    for (++it, --count; count > 0 && *it == last + 1; ++it, --count) last = *it;
+    out += (out.empty() ? "" : ", ") + std::to_string(first) +
+           (last > first ? " to " + std::to_string(last) : "");
+  }
+  return out;
+}
+
 struct Sheet {
   std::vector<std::span<const float>> cells;
   uint32_t columns = 0;
@@ -57,8 +71,7 @@ Sheet arrange(const VisibilityLayers& layers, rhi::Extent2D size) {
   }
   for (const uint32_t layer : used)
     sheet.legend += (sheet.legend.empty() ? "" : ", ") + layerName(layer);
-  sheet.legend += "; rows: lights " + std::to_string(*lights.begin()) + " to " +
-                  std::to_string(*std::next(lights.begin(), ptrdiff_t(strips) - 1));
+  sheet.legend += "; rows: lights " + listed(lights, strips);
   if (across > 1) sheet.legend += ", " + std::to_string(across) + " in a row";
   if (strips < lights.size())
     sheet.legend += "; " + std::to_string(lights.size() - strips) + " more lights in the EXR alone";

@@ -12,7 +12,8 @@
 namespace sb {
 
 /// Pictures by light (an index into Scene::lights) and layer (0: the first opaque surface, 1.. from
-/// the eye): RGB the share that arrives, alpha 1 where a surface is that the light can reach.
+/// the eye): RGB the share that arrives, alpha 1 where there is an answer: of the truth where
+/// the light reaches the surface's side, of a technique on every surface.
 using VisibilityLayers = std::map<std::pair<uint32_t, uint32_t>, const std::vector<float>*>;
 
 /// PREFIX.visibility.exr and PREFIX.visibility.png.

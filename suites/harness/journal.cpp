@@ -200,16 +200,23 @@ Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
   // What is no regular file has nothing to cut off.
   if (m_file >= 0) (void)!ftruncate(m_file, 0);
   if (m_file >= 0) append(lineOf(toJson(header)), true);
-  if (m_file < 0 || !m_failure.empty())
+  if (m_file < 0 || !m_failure.empty()) {
+    const int code = errno;
+    if (m_file >= 0) close(m_file);
+    errno = code;
     throw InputError("journal", "cannot write " + path.string() + ": " +
                                     (m_failure.empty() ? std::strerror(errno) : m_failure));
+  }
 }
 
 Journal::Journal(const std::filesystem::path& path, const JournalContent& content) : m_path(path) {
   m_file = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   lock();
-  if (m_file < 0 || ftruncate(m_file, off_t(content.wholeBytes)) != 0)
-    throw InputError("journal", "cannot write " + path.string() + ": " + std::strerror(errno));
+  if (m_file < 0 || ftruncate(m_file, off_t(content.wholeBytes)) != 0) {
+    const std::string why = std::strerror(errno);
+    if (m_file >= 0) close(m_file);
+    throw InputError("journal", "cannot write " + path.string() + ": " + why);
+  }
 }
 
 Journal::~Journal() {

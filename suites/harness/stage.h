@@ -16,8 +16,10 @@ namespace sb {
 RendererDesc rendererDesc(const std::string& technique, const std::string& transparency,
                           const std::map<std::string, std::string>& knobs, rhi::Extent2D size,
                           uint32_t seed = 0);
+/// That of a cell.
 RendererDesc rendererDesc(const CellId& id);
 
+/// A scene made ready for all the cells of one size that draw it, on any device.
 class Stage {
  public:
   /// `scene` must outlive the stage, and the stage its renderers. `size` of the pictures.

@@ -119,8 +119,22 @@ std::vector<std::string> builtinSuites() {
   return names;
 }
 
+/// The parser follows the parts of a key by recursion, and counts those of arrays alone.
+static void requireShallow(std::string_view text, const std::string& file) {
+  constexpr size_t kMostDots = 1000;
+  size_t line = 1, dots = 0;
+  for (const char c : text) {
+    if (c == '\n') ++line, dots = 0;
+    if (c == '.' && ++dots > kMostDots)
+      throw InputError(file + ":" + std::to_string(line),
+                       "found a line of more than " + std::to_string(kMostDots) +
+                           " dots, expected keys of a few parts");
+  }
+}
+
 Suite parseSuite(std::string_view text, const std::string& file) {
   const SuiteReader reader(file);
+  requireShallow(text, file);
   toml::table root;
   try {
     root = toml::parse(text, file);

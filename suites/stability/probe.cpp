@@ -71,7 +71,10 @@ glm::dvec3 Probe::meanVisibility(uint32_t layer, uint32_t light) {
     m_renderer->frame();
     sum += middleMean(m_renderer->readVisibility(light)[layer]);
   }
-  if (m_seeds > 1) m_renderer->setSeed(m_options.seed);
+  if (m_seeds > 1) {
+    m_renderer->setSeed(m_options.seed);
+    m_renderer->frame();
+  }
   return sum / double(m_seeds);
 }
 
@@ -108,18 +111,19 @@ TruthDifference truthDifference(Probe& probe) {
       for (uint32_t p = 0; p < edges.size(); ++p) {
         const float *t = expected.data() + 4 * p, *v = image.data() + 4 * p;
         if (t[3] == 0 || v[3] == 0 || edges[p]) continue;
-        double worst = 0;
+        Compared values;
         for (size_t c = 0; c < 3; ++c) {
           out.mean += double(v[c]) - double(t[c]);
-          worst = std::max(worst, std::abs(double(v[c]) - double(t[c])));
+          values.worst(std::abs(double(v[c]) - double(t[c])));
         }
         out.compared += 3;
+        const double worst = values.value();
         if (worst == 0) continue;
         const auto point = tracer.pointAt(p % picture.width, p / picture.width, layer);
         if (!point || explained(tracer, light, *point, probe.renderer().reach(light), v)) continue;
-        out.worst = std::max(out.worst, worst);
+        if (!(worst <= out.worst)) out.worst = worst;  // not a number stays
         const double shaded = worst * cosine(probe.scene(), light, *point);
-        badlyLit += shaded > 0.1 ? 3 : 0;
+        badlyLit += shaded <= 0.1 ? 0 : 3;
       }
     }
   }

@@ -17,12 +17,12 @@ constexpr double kSteps[] = {45, 60, 75, 80, kClamped, 87, 90};
 
 /// Light that surfaces lose which the truth shows in full light, by the angle at which it comes
 /// (the upper end of each step); beyond kClamped times N.L.
-std::map<double, double> lostLight(const CaseContext& context, const Scene& scene) {
+std::map<double, Compared> lostLight(const CaseContext& context, const Scene& scene) {
   Probe probe(context, scene, sceneOptions(context));
   const auto [width, height] = context.size;
   const Tracer tracer(probe.scene(), width, height);
   const auto truth = tracer.trace({.width = width, .height = height});
-  std::map<double, double> lost;
+  std::map<double, Compared> lost;
   for (const uint32_t light : probe.renderer().lights()) {
     const auto& expected = truth->visibility[light * kTruthLayers];
     const auto& edges = truth->edges[light * kTruthLayers];
@@ -35,11 +35,12 @@ std::map<double, double> lostLight(const CaseContext& context, const Scene& scen
       if (!point) continue;
       const double cos = cosine(probe.scene(), light, *point);
       const double angle = std::acos(std::min(1.0, cos)) * 180 / std::numbers::pi;
-      double loss = 1 - double(std::min({v[0], v[1], v[2]}));
-      if (loss > 0 && explained(tracer, light, *point, probe.renderer().reach(light), v)) loss = 0;
       const double step = *std::ranges::lower_bound(kSteps, std::min(angle, 90.0));
-      double& worst = lost[step];
-      worst = std::max(worst, step > kClamped ? loss * cos : loss);
+      const bool dark = v[0] < 1 || v[1] < 1 || v[2] < 1;
+      const bool right =
+          dark && explained(tracer, light, *point, probe.renderer().reach(light), v);
+      for (int c = 0; c < 3; ++c)
+        lost[step].worst(right ? 0 : (1 - double(v[c])) * (step > kClamped ? cos : 1));
     }
   }
   return lost;
@@ -80,16 +81,16 @@ Found sceneCorners(const CaseContext& context) {
         // These are seen, opaque to the eye, and cast nothing: the truth alone tells.
         if (notYetRepresented(scene).empty())
           for (const auto& [step, lost] : lostLight(context, scene))
-            if (step <= kClamped) wrong.worst(lost);
+            if (step <= kClamped) wrong.worst(lost.value());
       } else {
         Probe probe(context, scene, sceneOptions(context));
         Probe& expected = x == 2 ? blocked : clear;
         const std::vector<uint32_t> known = expected.renderer().lights();
-        for (const uint32_t light : probe.renderer().lights())
-          if (std::ranges::find(known, light) == known.end())
-            continue;
-          else if (const double n = changedInside(expected, probe, light); !std::isnan(n))
-            wrong.count(n > 0);
+        for (const uint32_t light : probe.renderer().lights()) {
+          if (std::ranges::find(known, light) == known.end()) continue;
+          const double n = changedInside(expected, probe, light);
+          if (!std::isnan(n)) wrong.count(n > 0);
+        }
       }
       if (!std::isnan(wrong.value())) found.curve.push_back({x, wrong.value(), 0});
     }
@@ -102,7 +103,7 @@ Found sceneGrazing(const CaseContext& context) {
     return {.curve = {}, .expected = "", .leftOut = "the truth cannot show it: " + why.front()};
   Found found;
   for (const auto& [step, worst] : lostLight(context, *context.scene))
-    found.curve.push_back({step, worst, step > kClamped ? 0.1 : 0.0});
+    found.curve.push_back({step, worst.value(), step > kClamped ? 0.1 : 0.0});
   if (found.curve.empty()) found.leftOut = "no opaque surface is seen in full light";
   return found;
 }

@@ -92,11 +92,12 @@ Found betweenLayers(const CaseContext& context) {
   Probe probe(context, std::move(scene), kSingle);
   Found found{.curve = {}, .expected = missing(context, Effect::TranslucentOverlap)};
   const glm::dvec3 expected[] = {{0.552, 0.396, 0.264}, {1, 1, 1}, {0.92, 0.44, 0.44}};
-  for (uint32_t layer = 0; layer < 3; ++layer)
+  for (uint32_t layer = 0; layer < 3; ++layer) {
+    const glm::dvec3 mean = probe.meanVisibility(layer);
     for (int c = 0; c < 3; ++c)
-      found.curve.push_back({double(layer),
-                             std::abs(probe.meanVisibility(layer)[c] - expected[layer][c]),
+      found.curve.push_back({double(layer), std::abs(mean[c] - expected[layer][c]),
                              tolerance(context, expected[layer][c], 2)});
+  }
   if (!context.represents(Effect::ColouredTransmission) && found.expected.empty())
     found.expected = missing(context, Effect::ColouredTransmission);
   return found;

@@ -5,7 +5,7 @@
 //   texture     a tile of white noise, read elsewhere by every surface; repeats after 256 texels
 //   stratified  one number of each of N^2 equal parts in every block as wide as the filter
 //   blue        a tile of blue noise, read elsewhere by every surface; repeats after 64 texels
-//   source      as the source document's program does it: 8 bits by world position; p = 0 blocks
+//   source      as Modisett's program does it: 8 bits by world position; p = 0 blocks
 //               one texel in 256, and the pattern depends on the scale of the world
 #pragma once
 

@@ -20,7 +20,7 @@ const std::vector<float>& whiteTile();
 /// are spread evenly over the tile, which repeats without seams.
 const std::vector<float>& blueTile();
 
-/// Four channels of 8 bits, as the source document's program reads them.
+/// Four channels of 8 bits, as Modisett's program reads them.
 const std::vector<uint8_t>& sourceTile();
 
 }  // namespace sb

@@ -3,7 +3,7 @@
 namespace sb {
 
 void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws& draws, Maps maps) {
-  const auto parts = technique ? technique->parts() : decltype(technique->parts()){};
+  const auto parts = technique ? technique->parts() : std::span<const std::vector<uint32_t>>{};
   if (technique && (maps == Maps::Record || !parts.empty())) technique->record(frame);
   draws.opaque();
   if (parts.empty() && draws.translucent) draws.translucent();

@@ -1,6 +1,9 @@
 // The order of a frame, whatever its surfaces are drawn for: the picture or the visibility buffer.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "techniques/render/technique.h"
 
 namespace sb {

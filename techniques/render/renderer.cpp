@@ -138,7 +138,7 @@ void Renderer::setSeed(uint32_t seed) {
 
 std::vector<VisibilityImage> Renderer::visibilityAtEnd(uint32_t light, uint32_t seed) {
   standStill();
-  if (seed != m_desc.seed) {
+  if (seed != m_desc.seed || m_at != steps() - 1) {
     setSeed(seed);
     frame();
   }

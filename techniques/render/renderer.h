@@ -62,7 +62,7 @@ class Renderer {
   LookupReach reach(uint32_t light) const;
   /// Why visibility does not depend on the seed, or "".
   std::string whyNotRandom() const;
-  /// The same where the truth's camera stands, drawn with a seed. Call after everything timed.
+  /// readVisibility where the truth's camera stands, drawn with a seed. Call after everything timed.
   std::vector<VisibilityImage> visibilityAtEnd(uint32_t light, uint32_t seed);
   /// Frames from now on draw other random numbers. Call between frames.
   void setSeed(uint32_t seed);

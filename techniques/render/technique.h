@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,7 +74,7 @@ class ShadowTechnique {
   /// Records the passes that make the maps of one part, after those of `record` and of all parts
   /// before it.
   virtual void recordPart(Frame&, size_t) {}
-  /// Textures that tests and `bench render` may look at: label and texture of each map.
+  /// Textures that tests may look at: label and texture of each map.
   virtual std::vector<std::pair<std::string, rhi::TextureId>> maps() const { return {}; }
   /// How far lookups for a light (index into Scene::lights) reach: errors within that distance of a
   /// shadow's edge are blamed on resolution. Nothing for techniques without maps.

@@ -3,6 +3,8 @@
 import csv
 import json
 import os
+import stat
+import tempfile
 
 from program import FAST, Case, run, main
 
@@ -58,6 +60,34 @@ class WrongInput(Case):
         self.refused([f"--benchmark_out={bad}"], "--benchmark_out", bad)
         self.refused(["render", "-o", bad], "--output", bad)
         self.refused(["scene", "layers", "--export", bad + ".glb"], bad)
+
+    def test_an_option_with_nothing_behind_its_equals_sign_takes_no_other(self):
+        for option in ("--json", "--csv", "--filter", "--scene"):
+            self.refused([option + "=", "--list"], option, "empty")
+
+    def test_suites_of_endless_keys_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "x.toml")
+            with open(path, "w") as file:
+                file.write("a." * 40000 + "b = 1\n")
+            self.refused(["--suite", path, "--list"], "x.toml:1", "dots")
+
+    def test_an_export_leaves_pipes_and_links_what_they_are(self):
+        link, target = os.path.join(self.folder, "l.glb"), os.path.join(self.folder, "t.glb")
+        os.symlink(target, link)
+        self.assertEqual(run("scene", "layers", "--export", link).returncode, 0)
+        self.assertTrue(os.path.islink(link) and os.path.getsize(target) > 0)
+        self.assertEqual(run("scene", "layers", "--export", "/dev/null").returncode, 0)
+        self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
+
+    def test_complaints_name_the_option_that_was_typed(self):
+        self.refused(["--sun", "0.3,-1,0.2"], "--sun", "direction=X,Y,Z")
+        self.refused(["--camera", "eye=1,2,3", "--list"], "--camera", "at")
+        self.refused(["--gltf-scene", "Foo", "--scene", "layers", "--no-truth"], "--gltf-scene 'Foo'")
+        self.refused(["render", "--technique", "RayTraced"], "bench truth")
+        self.refused(["--technique", "none", "--set", "kernel=3"], "which is a knob of")
+        self.refused(["--backend", "metal"], "--backend: unknown backend 'metal'")
+        self.refused(["compare", "a.json", "b.json"], "compare a.json b.json")
 
     def test_results_that_are_none_are_refused(self):
         self.refused(["report"], "results")

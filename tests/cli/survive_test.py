@@ -117,6 +117,18 @@ class Signals(Case):
         self.go_on("--technique", "none", "--backend", "vulkan", "--scene", "layers", *FAST, *outputs)
         self.assertTrue(os.path.exists(self.path("a.journal.old")))
 
+    def test_what_lies_in_the_journals_place_and_is_none_stays(self):
+        with open(self.path("d.journal"), "w") as file:
+            file.write("diary")
+        os.mkdir(self.path("e.journal"))
+        for name in ("d", "e"):
+            result = run("--technique", "none", "--backend", "vulkan", "--scene", "layers", *FAST, "--json", self.path(name + ".json"), cwd=self.folder)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn("no journal of a run", result.stderr)
+        with open(self.path("d.journal")) as file:
+            self.assertEqual(file.read(), "diary")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["d.journal", "e.journal"])
+
     def test_without_json_the_journal_is_named_and_two_interrupts_leave_no_temporary_files(self):
         process = self.start(*RUN, "--html", "a.html")
         first = process.stderr.readline()

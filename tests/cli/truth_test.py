@@ -101,7 +101,7 @@ class Visibility(Case):
         scene = self.write([TO_RIGHT, FAR_LAMP, TO_LEFT])
         text = self.ok("truth", "--scene", scene, "--size", "32x32", "--quiet", "-o",
                        self.path("t")).stdout
-        self.assertIn("columns: opaque, layer1, layer2; rows: lights 0 to 2", text)
+        self.assertIn("columns: opaque, layer1, layer2; rows: lights 0, 2", text)
         self.assertEqual(self.files(), ["t.edges.png", "t.exr", "t.png", "t.visibility.exr",
                                         "t.visibility.png"])
         planes = exr.read(self.path("t.visibility.exr"))

@@ -1,14 +1,14 @@
 #!/bin/sh
-# check_bundle.sh BUILD CMAKE: packs the bundle, unpacks it elsewhere, and runs its check there.
+# check_bundle.sh BUILD CMAKE NAME: packs the bundle, unpacks it elsewhere, and runs its check there.
 set -eu
 build=$1
 "$2" --build "$build" --target bundle >/dev/null
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
-tar -xzf "$build"/shadowbench-*-x86_64.tar.gz -C "$here"
-cd "$here"/shadowbench-*-x86_64
+tar -xzf "$build/$3.tar.gz" -C "$here"
+cd "$here/$3"
 # Nothing of the user's: no HOME, no drivers named, no repository in sight.
-env -i PATH=/usr/bin:/bin CHECK_SECONDS=60 ./check.sh "$here/out" >"$here/log" 2>&1 || true
+env -i PATH=/usr/bin:/bin CHECK_SECONDS=40 ./check.sh "$here/out" >"$here/log" 2>&1 || true
 fail() { echo "device check: $1"; cat "$here/log"; exit 1; }
 [ -s "$here/out/summary.txt" ] || fail "no summary"
 grep -q '^== doctor: exit code 0' "$here/out/summary.txt" || fail "doctor did not run"

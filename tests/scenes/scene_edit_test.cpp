@@ -88,7 +88,7 @@ TEST(SceneEdit, MaterialsByGlob) {
 
 TEST(SceneEdit, WrongOnesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
-      {"layers?", "expected camera:..., sun:..., motion:... or MATERIAL"},
+      {"layers?", "expected GLOB"},
       {"layers?nothing:alpha=1", "unknown material 'nothing'"},
       {"layers?*:alpha=2", "alpha holds '2', expected a number from 0 to 1"},
       {"layers?*:t=1", "lacks alpha"},

@@ -9,6 +9,15 @@ using namespace sb;
 
 namespace {
 
+/// One that ended early has no points.
+std::string told(const report::StabilityRecord& r) {
+  std::string out = r.name() + ": " + r.why;
+  if (const report::StabilityPoint* p = r.worst())
+    out += "; found " + std::to_string(p->value) + " at " + std::to_string(p->x) + ", allowed " +
+           std::to_string(p->tolerance);
+  return out;
+}
+
 std::vector<report::StabilityRecord> runAll(test::CellDevice& device, const std::string& backend,
                                             const std::string& filter) {
   std::vector<report::StabilityRecord> records;
@@ -27,8 +36,7 @@ GPU_TEST(Stability, NothingFails) {
   for (const report::StabilityRecord& r : records) {
     passed += r.verdict == report::Verdict::Pass;
     EXPECT_NE(r.verdict, report::Verdict::Fail)
-        << r.id << "/" << r.technique << ": found " << r.worst()->value << " at " << r.worst()->x
-        << ", allowed " << r.worst()->tolerance;
+        << told(r);
   }
   EXPECT_GT(passed, records.size() / 2);
 }
@@ -55,7 +63,7 @@ GPU_TEST(Stability, PeeledCastersBeforeTheViewKeepTheirDepths) {
                          .knobs = {{"partition", "peeled"}},
                          .quick = true};
   const report::StabilityRecord record = runStability(job, context, nullptr);
-  EXPECT_EQ(record.verdict, report::Verdict::Pass) << record.worst()->value;
+  EXPECT_EQ(record.verdict, report::Verdict::Pass) << told(record);
 }
 
 TEST(StabilityJobs, AreNamedAndSelected) {
@@ -116,8 +124,7 @@ GPU_TEST(Stability, TheGenericPropertiesHoldOnScenes) {
                                                   .quick = true})) {
       const report::StabilityRecord r = runStability(job, context, &context);
       passed += r.verdict == report::Verdict::Pass;
-      EXPECT_NE(r.verdict, report::Verdict::Fail) << r.name() << ": " << r.why << " "
-                                                  << r.worst()->value << " at " << r.worst()->x;
+      EXPECT_NE(r.verdict, report::Verdict::Fail) << told(r);
     }
     EXPECT_GE(passed, 18u) << scene;
   }

@@ -22,7 +22,8 @@
 namespace sb {
 
 struct SceneEdit {
-  std::string target;  ///< "camera", "sun", "motion", or a glob over material names (* and ?)
+  std::string target;  ///< "camera", "sun", "motion", "ground", "file", or a glob over
+                       ///< material names (* and ?)
   std::vector<std::pair<std::string, std::vector<double>>> values;  ///< in their documented order
   /// Values that are names, percent-encoded where a spec could not hold them.
   std::vector<std::pair<std::string, std::string>> names;

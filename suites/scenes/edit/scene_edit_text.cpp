@@ -64,21 +64,34 @@ std::string decodedName(const std::string& where, const std::string& text) {
   return *std::move(name);
 }
 
-/// The option that asks for an edit, as its user wrote it; names of cells and suites hold edits too.
-std::string whereOf(const std::string& text) {
-  for (const std::string target : {"camera", "sun", "motion"})
-    if (text.starts_with(target + ":"))
-      return "--" + target + " '" + text.substr(target.size() + 1) + "'";
-  return "--set-material '" + text + "'";
+/// An option that asks for an edit, and how it is written.
+struct EditOption {
+  const char* prefix;  ///< of the edit's text; what follows is the option's value
+  const char* option;
+  const char* form;
+};
+
+const EditOption& optionOf(const std::string& text) {
+  static const EditOption kOptions[] = {
+      {"camera:show=", "--camera", "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]"},
+      {"camera:", "--camera", "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]"},
+      {"sun:", "--sun", "direction=X,Y,Z[,lux=E]"},
+      {"motion:", "--motion", "move=X,Y,Z[,turn=DEG][,steps=N]"},
+      {"file:scene=", "--gltf-scene", "NAME or INDEX"},
+      {"file:outside=", "--allow-outside", "no value"},
+      {"ground:", "--ground", "no value"},
+      {"", "--set-material", "GLOB:alpha=A[,t=R,G,B]"}};
+  return *std::ranges::find_if(kOptions, [&](const EditOption& o) { return text.starts_with(o.prefix); });
 }
 
-/// How the option is written, for complaints.
-std::string formOf(const std::string& text) {
-  if (text.starts_with("camera:")) return "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]";
-  if (text.starts_with("sun:")) return "direction=X,Y,Z[,lux=E]";
-  if (text.starts_with("motion:")) return "move=X,Y,Z[,turn=DEG][,steps=N]";
-  return "GLOB:alpha=A[,t=R,G,B]";
+/// An edit as its user wrote it; names of cells and suites hold edits too.
+std::string whereOf(const std::string& text) {
+  const EditOption& o = optionOf(text);
+  const std::string value = text.substr(std::string_view(o.prefix).size());
+  return std::string(o.option) + " '" + base::percentDecoded(value).value_or(value) + "'";
 }
+
+std::string formOf(const std::string& text) { return optionOf(text).form; }
 
 SceneEdit parseEdit(const std::string& text) {
   const std::string where = whereOf(text);

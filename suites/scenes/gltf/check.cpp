@@ -1,4 +1,4 @@
-// The walker of the table of rules (gltf_check_rules.cpp).
+// The walker of the table of rules (check_rules.cpp).
 #include "suites/scenes/gltf/check.h"
 
 #include <cmath>

@@ -48,11 +48,11 @@ void readMaterials(GltfContext& context);
 void readMeshes(GltfContext& context);
 void readNodes(GltfContext& context);  ///< instances, lights, cameras, media
 
-/// Textures as TextureSlot: gltf_texture.cpp.
+/// Textures as TextureSlot: texture.cpp.
 TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int texture,
                             int texCoord, const tinygltf::ExtensionMap& extensions, bool srgb);
 
-// extras.shadowbench (EXTRAS.md): gltf_extras.cpp. `field` names the object that holds `extras`.
+// extras.shadowbench (EXTRAS.md): extras.cpp. `field` names the object that holds `extras`.
 void readMaterialExtras(const GltfContext& context, const std::string& field,
                         const tinygltf::Value& extras, Material& material);
 double readLightRadius(const GltfContext& context, const std::string& field,

@@ -23,7 +23,7 @@ std::vector<double> meshWeights(const GltfContext& context, size_t mesh);
 /// What bends the meshes of `node`: its animated or own weights, else those of its mesh; its skin.
 Deform nodeDeform(GltfContext& context, NodeTree& tree, size_t node);
 
-/// The primitives of a mesh once more, bent: their numbers in Scene::meshes. gltf_mesh.cpp.
+/// The primitives of a mesh once more, bent: their numbers in Scene::meshes. mesh.cpp.
 std::vector<uint32_t> readBentMeshes(GltfContext& context, size_t mesh, const Deform& deform);
 
 /// Adds the weighted targets of a primitive to positions, normals and tangents.

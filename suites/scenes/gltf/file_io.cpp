@@ -1,13 +1,12 @@
 #include "suites/scenes/gltf/file_io.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <string>
 #include <system_error>
 
+#include "base/atomic_file.h"
 #include "techniques/plan/error.h"
 
 namespace sb {
@@ -32,25 +31,9 @@ std::vector<uint8_t> readWholeFile(const std::filesystem::path& path, size_t lim
 }
 
 void writeWholeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp" + std::to_string(getpid());
-  std::error_code ignored;
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    out.close();
-    if (!out) {
-      const std::string why = std::strerror(errno);
-      std::filesystem::remove(temporary, ignored);
-      throw InputError(path.string(), "cannot be written: " + why);
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    std::filesystem::remove(temporary, ignored);
-    throw InputError(path.string(), "cannot be written: " + error.message());
-  }
+  if (const std::string why = base::whyNotWritable(path); !why.empty())
+    throw InputError(path.string(), why);
+  base::writeAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace sb

@@ -12,7 +12,7 @@ namespace sb {
 /// Bytes of a regular file. Throws InputError naming the path: not found, not a file, not readable,
 /// larger than `limit`.
 std::vector<uint8_t> readWholeFile(const std::filesystem::path& path, size_t limit);
-/// Writes `bytes` to `path` or leaves `path` as it was. Throws InputError naming the path.
+/// base::writeAtomically; InputError naming the path where nothing can be written there.
 void writeWholeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 
 }  // namespace sb

@@ -31,7 +31,7 @@ class NodeTree {
   std::vector<uint8_t> m_known;
 };
 
-// gltf_nodes_lights.cpp
+// nodes_lights.cpp
 void addLight(GltfContext& context, const std::string& node, const tinygltf::Value& reference,
               const glm::dmat4& toWorld);
 void addCamera(GltfContext& context, const std::string& node, int index, const glm::dmat4& toWorld);

@@ -20,7 +20,7 @@ class GltfWriter {
  private:
   using json = nlohmann::json;
 
-  // gltf_writer.cpp: bytes, geometry, nodes
+  // writer.cpp: bytes, geometry, nodes
   size_t addView(const void* data, size_t bytes);
   template <typename V>
   size_t addAccessor(const std::vector<V>& values);
@@ -33,13 +33,13 @@ class GltfWriter {
   size_t addNode(json node);
   void use(const char* extension) { m_extensions.insert(extension); }
 
-  // gltf_writer_material.cpp
+  // writer_material.cpp
   json textureInfo(const TextureSlot& slot);
   size_t materialFor(uint32_t material, double thicknessScale);
   json materialJson(const Material& material);
   json materialExtensions(const Material& material);
 
-  // gltf_writer_lights.cpp
+  // writer_lights.cpp
   void addLights();
   void addCameras();
 

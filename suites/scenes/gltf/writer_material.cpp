@@ -13,7 +13,7 @@ int wrapCode(Wrap wrap) {
   return kCodes[size_t(wrap)];
 }
 
-// offset, rotation and scale that give the rows again (see gltf_texture.cpp).
+// offset, rotation and scale that give the rows again (see texture.cpp).
 json transformJson(const std::array<glm::vec3, 2>& rows) {
   const double sx = std::hypot(rows[0].x, rows[1].x);
   // A scale of 0 along u leaves the turn to be read from v.

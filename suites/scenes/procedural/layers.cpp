@@ -1,4 +1,4 @@
-// Source document 000, section 5.3.3: white directional light through blue, grey and rainbow quads
+// Modisett 2023, section 5.3.3: white directional light through blue, grey and rainbow quads
 // onto an opaque white quad. The panes stand one behind the other as the light sees them, grey
 // nearest, rainbow in the middle, blue last, each shifted so that from the light every pair and the
 // triple overlap and each is also seen alone; the camera looks from the side, so that the panes and

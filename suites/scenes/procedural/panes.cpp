@@ -1,4 +1,4 @@
-// Source document 000, figure 2.1.2.A: what a wrong order of translucent surfaces looks like. A
+// Modisett 2023, figure 2.1.2.A: what a wrong order of translucent surfaces looks like. A
 // large green pane stands aslant before a white wall; a red one before its far end, a blue one
 // behind its near end. By their centres red is the farthest and blue the nearest, which is wrong
 // for both; by triangles the order is right. The panes' shadows lie on the wall.

@@ -1,4 +1,4 @@
-// Source document 000, section 5.1: 1000 opaque grey spheres at random places, and 0..2000 blue
+// Modisett 2023, section 5.1: 1000 opaque grey spheres at random places, and 0..2000 blue
 // translucent quads in a region that overlaps theirs and reaches further toward one white
 // directional light. Cost grows with `quads`; the spheres are the same for every count.
 #include <cmath>

@@ -1,4 +1,4 @@
-// Source document 000, section 5.3.2: white light through a quad textured with a rose window onto a
+// Modisett 2023, section 5.3.2: white light through a quad textured with a rose window onto a
 // white surface. The window stands upright before the light, the receiver lies behind it, turned
 // toward the camera, so that the picture holds both.
 #include "suites/scenes/edit/framing.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace report {
+namespace base {
 
 /// Writes `content` to `path` through a temporary file in the same folder. Throws
 /// std::runtime_error that names the path; nothing is left behind then. What is no regular file
@@ -23,4 +23,4 @@ bool isSpecialFile(const std::filesystem::path& path);
 /// nothing behind.
 std::string whyNotWritable(const std::filesystem::path& path);
 
-}  // namespace report
+}  // namespace base

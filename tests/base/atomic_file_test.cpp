@@ -1,5 +1,5 @@
 // Files are whole or not there.
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -34,47 +34,47 @@ class AtomicFile : public testing::Test {
 };
 
 TEST_F(AtomicFile, ReplacesAndLeavesNothingElse) {
-  writeAtomically(m_folder / "a", "first, which is longer");
-  writeAtomically(m_folder / "a", "second");
+  base::writeAtomically(m_folder / "a", "first, which is longer");
+  base::writeAtomically(m_folder / "a", "second");
   EXPECT_EQ(textOf(m_folder / "a"), "second");
   EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, AFailureNamesThePathAndLeavesNothing) {
   const fs::path bad = m_folder / "none" / "a";
-  EXPECT_NE(whyNotWritable(bad), "");
+  EXPECT_NE(base::whyNotWritable(bad), "");
   try {
-    writeAtomically(bad, "x");
+    base::writeAtomically(bad, "x");
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_NE(std::string(e.what()).find(bad.string()), std::string::npos) << e.what();
   }
-  EXPECT_NE(whyNotWritable(m_folder), "") << "a folder";
-  EXPECT_THROW(writeAtomically(m_folder, "x"), std::runtime_error);
+  EXPECT_NE(base::whyNotWritable(m_folder), "") << "a folder";
+  EXPECT_THROW(base::writeAtomically(m_folder, "x"), std::runtime_error);
   EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(AtomicFile, AskingLeavesWhatIsThereAlone) {
-  writeAtomically(m_folder / "a", "kept");
-  EXPECT_EQ(whyNotWritable(m_folder / "a"), "");
-  EXPECT_EQ(whyNotWritable(m_folder / "b"), "");
+  base::writeAtomically(m_folder / "a", "kept");
+  EXPECT_EQ(base::whyNotWritable(m_folder / "a"), "");
+  EXPECT_EQ(base::whyNotWritable(m_folder / "b"), "");
   EXPECT_EQ(textOf(m_folder / "a"), "kept");
   EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, ALinkStaysALink) {
-  writeAtomically(m_folder / "a", "old");
+  base::writeAtomically(m_folder / "a", "old");
   fs::create_symlink("a", m_folder / "link");
-  writeAtomically(m_folder / "link", "new");
+  base::writeAtomically(m_folder / "link", "new");
   EXPECT_TRUE(fs::is_symlink(m_folder / "link"));
   EXPECT_EQ(textOf(m_folder / "a"), "new");
 }
 
 TEST_F(AtomicFile, ADeviceStaysADevice) {
-  writeAtomically("/dev/null", "gone");
+  base::writeAtomically("/dev/null", "gone");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_TRUE(isSpecialFile("/dev/null"));
-  EXPECT_FALSE(isSpecialFile(m_folder / "a"));
+  EXPECT_TRUE(base::isSpecialFile("/dev/null"));
+  EXPECT_FALSE(base::isSpecialFile(m_folder / "a"));
 }
 
 }  // namespace

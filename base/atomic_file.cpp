@@ -1,4 +1,4 @@
-#include "reports/atomic_file.h"
+#include "base/atomic_file.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace report {
+namespace base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ std::string whyNotWritable(const fs::path& path) {
   return why;
 }
 
-}  // namespace report
+}  // namespace base
