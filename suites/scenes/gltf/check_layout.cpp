@@ -10,11 +10,6 @@ using nlohmann::json;
 
 const json kEmptyArray = json::array();
 
-const json& list(const GltfSource& source, const char* key) {
-  const auto found = source.json.find(key);
-  return found == source.json.end() ? kEmptyArray : *found;
-}
-
 std::string at(const char* key, size_t i) {
   return std::string(key).append("[").append(std::to_string(i)).append("]");
 }
@@ -24,7 +19,7 @@ void checkWithin(const GltfSource& source, const std::string& field, const json&
   const size_t offset = view.value("byteOffset", size_t(0));
   const size_t length = view["byteLength"].get<size_t>();
   const size_t buffer = view["buffer"].get<size_t>();
-  const size_t size = list(source, "buffers")[buffer]["byteLength"].get<size_t>();
+  const size_t size = source.list("buffers")[buffer]["byteLength"].get<size_t>();
   if (offset > size || length > size - offset)
     source.fail(field + ".byteLength",
                 "is " + std::to_string(length) + " from offset " + std::to_string(offset) +
@@ -33,7 +28,7 @@ void checkWithin(const GltfSource& source, const std::string& field, const json&
 }
 
 void checkViews(const GltfSource& source) {
-  const json& views = list(source, "bufferViews");
+  const json& views = source.list("bufferViews");
   for (size_t i = 0; i < views.size(); ++i) {
     checkWithin(source, at("bufferViews", i), views[i]);
     const std::string extension = "EXT_meshopt_compression";
@@ -46,7 +41,7 @@ void checkViews(const GltfSource& source) {
 // That `count` elements of `bytes` each fit into a buffer view.
 void checkFits(const GltfSource& source, const std::string& field, size_t view, size_t offset,
                size_t count, size_t bytes, bool strided) {
-  const json& v = list(source, "bufferViews")[view];
+  const json& v = source.list("bufferViews")[view];
   size_t stride = bytes;
   if (strided && v.contains("byteStride")) stride = v["byteStride"].get<size_t>();
   if (stride < bytes)
@@ -83,7 +78,7 @@ void checkSparse(const GltfSource& source, const json& accessor, const std::stri
 }
 
 void checkAccessors(GltfSource& source) {
-  const json& accessors = list(source, "accessors");
+  const json& accessors = source.list("accessors");
   for (size_t i = 0; i < accessors.size(); ++i) {
     const json& accessor = accessors[i];
     const std::string field = at("accessors", i);
@@ -111,7 +106,7 @@ void checkAccessors(GltfSource& source) {
 
 // Every node has one parent at most and none is its own ancestor.
 void checkNodes(GltfSource& source) {
-  const json& nodes = list(source, "nodes");
+  const json& nodes = source.list("nodes");
   constexpr size_t kNoParent = size_t(-1);
   std::vector<size_t> parent(nodes.size(), kNoParent);
   for (size_t i = 0; i < nodes.size(); ++i) {
@@ -132,7 +127,7 @@ void checkNodes(GltfSource& source) {
       if (++steps > nodes.size()) source.fail(at("nodes", i), "is part of a loop of nodes");
     for (n = i; n != kNoParent && !safe[n]; n = parent[n]) safe[n] = 1;
   }
-  const json& scenes = list(source, "scenes");
+  const json& scenes = source.list("scenes");
   for (size_t s = 0; s < scenes.size(); ++s) {
     const json& roots = scenes[s].value("nodes", kEmptyArray);
     std::set<size_t> seen;

@@ -52,12 +52,6 @@ bool isOneOf(std::span<const std::string_view> names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-const json& list(const GltfSource& source, const char* key) {
-  static const json kEmpty = json::array();
-  const auto found = source.json.find(key);
-  return found == source.json.end() ? kEmpty : *found;
-}
-
 // {major, minor} of "2.0"; fails on other forms.
 std::array<int, 2> version(const GltfSource& source, const std::string& field,
                            const std::string& text) {
@@ -102,7 +96,7 @@ void checkAsset(GltfSource& source) {
 }
 
 void checkExtensions(GltfSource& source) {
-  const json& required = list(source, "extensionsRequired");
+  const json& required = source.list("extensionsRequired");
   for (size_t i = 0; i < required.size(); ++i) {
     const std::string name = required[i];
     if (isOneOf(kRead, name)) continue;
@@ -117,7 +111,7 @@ void checkExtensions(GltfSource& source) {
                 " is required but not supported; it changes no shadow and is "
                 "left out");
   }
-  for (const json& entry : list(source, "extensionsUsed")) {
+  for (const json& entry : source.list("extensionsUsed")) {
     const std::string name = entry;
     if (!isOneOf(kRead, name) && std::ranges::find(required, entry) == required.end())
       source.warn("extension " + name + " is not supported and ignored");

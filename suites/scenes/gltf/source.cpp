@@ -124,6 +124,12 @@ json parseJson(GltfSource& source, std::span<const uint8_t> text) {
 
 }  // namespace
 
+const nlohmann::json& GltfSource::list(const char* key) const {
+  static const nlohmann::json kEmpty = nlohmann::json::array();
+  const auto found = json.find(key);
+  return found == json.end() ? kEmpty : *found;
+}
+
 void GltfSource::fail(const std::string& field, const std::string& what) const {
   // Each part keeps its share: a path or a name of a thousand letters must not hide the reason.
   const std::string where = base::shortened(base::printable(path.string()), 120) + ": " +

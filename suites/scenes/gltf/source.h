@@ -50,6 +50,8 @@ struct GltfSource {
   size_t namedBytes = 0;         ///< of files that uris name, read so far
   size_t takenBytes = 0;         ///< of memory, see take()
 
+  /// An array at the root; an empty one where the file has none.
+  const nlohmann::json& list(const char* key) const;
   /// Throws InputError "path: field: what", printable and at most kMaxErrorBytes long.
   [[noreturn]] void fail(const std::string& field, const std::string& what) const;
   /// Notes `what` for people, once.
