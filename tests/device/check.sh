@@ -21,6 +21,7 @@ say() { printf '%s\n' "$*" | tee -a "$summary"; }
 step() { # $1 name, $2 share of the whole time in percent; then bench's arguments
   name=$1 share=$(($2 * seconds / 100))
   shift 2
+  [ "$name" = doctor ] && [ $share -lt 40 ] && share=40 # software devices measure their timers slowly
   left=$((start + seconds - $(date +%s)))
   [ $share -gt $left ] && share=$left
   if [ $share -lt 2 ]; then

@@ -8,7 +8,7 @@ trap 'rm -rf "$here"' EXIT
 tar -xzf "$build/$3.tar.gz" -C "$here"
 cd "$here/$3"
 # Nothing of the user's: no HOME, no drivers named, no repository in sight.
-env -i PATH=/usr/bin:/bin CHECK_SECONDS=40 ./check.sh "$here/out" >"$here/log" 2>&1 || true
+env -i PATH=/usr/bin:/bin CHECK_SECONDS=75 ./check.sh "$here/out" >"$here/log" 2>&1 || true
 fail() { echo "device check: $1"; cat "$here/log"; exit 1; }
 [ -s "$here/out/summary.txt" ] || fail "no summary"
 grep -q '^== doctor: exit code 0' "$here/out/summary.txt" || fail "doctor did not run"
