@@ -34,4 +34,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp)
