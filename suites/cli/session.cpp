@@ -42,6 +42,8 @@ void setAside(const fs::path& path) {
   if (!fs::exists(path, error)) return;
   if (isJournalInUse(path))
     throw InputError("journal", "another run writes " + path.string() + " now");
+  // A run that was killed before it wrote its first line.
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) == 0) return;
   try {
     const JournalContent content = readJournal(path);
     if (content.cells.empty() && content.hardCases.empty() && content.blocks.empty()) return;
@@ -92,14 +94,15 @@ Options resolveResume(const Options& given) {
   return *options;
 }
 
-/// Of a folder's files and what they hold: shaders may be changed between two parts of a run.
+/// Of a folder's shaders and what they hold: they may be changed between two parts of a run.
 static std::string folderIdentity(const fs::path& folder) {
   std::map<std::string, std::string> files;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
-    if (!entry->is_regular_file(ignored)) continue;
+    const fs::path extension = entry->path().extension();
+    if (!entry->is_regular_file(ignored) || (extension != ".glsl" && extension != ".h")) continue;
     std::ifstream in(entry->path(), std::ios::binary);
     files[entry->path().string()] = std::string(std::istreambuf_iterator<char>(in), {});
   }

@@ -3,6 +3,7 @@
 import glob
 import json
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -117,6 +118,12 @@ class Signals(Case):
         self.go_on("--technique", "none", "--backend", "vulkan", "--scene", "layers", *FAST, *outputs)
         self.assertTrue(os.path.exists(self.path("a.journal.old")))
 
+    def test_an_empty_journal_is_of_a_run_killed_before_its_first_line(self):
+        open(self.path("f.journal"), "w").close()
+        self.go_on("--technique", "none", "--backend", "vulkan", "--scene", "layers", *FAST,
+                   "--json", "f.json")
+        self.assertFalse(os.path.exists(self.path("f.journal")))
+
     def test_what_lies_in_the_journals_place_and_is_none_stays(self):
         with open(self.path("d.journal"), "w") as file:
             file.write("diary")
@@ -176,6 +183,21 @@ class Signals(Case):
         alive.communicate(timeout=60)
         self.ok("cache", "--clear", env=cache)
         self.assertEqual(os.listdir(runs), ["notes.txt"])
+
+    def test_shaders_that_changed_in_between_are_another_run(self):
+        shaders = self.path("shaders")
+        shutil.copytree(os.path.join(SOURCE, "shaders"), shaders)
+        arguments = [*RUN, "--shaders", shaders, "--json", "s.json"]
+        process = self.start(*arguments)
+        self.wait_for(process, "layers: measure")
+        process.send_signal(signal.SIGKILL)
+        process.communicate(timeout=60)
+        with open(os.path.join(shaders, "none", "visibility.glsl"), "a") as file:
+            file.write("// another\n")
+        result = run(*arguments, "--resume", cwd=self.folder,
+                     env={"XDG_CACHE_HOME": self.path("cache")})
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("setting shaders", result.stderr)
 
     def test_a_run_of_other_settings_is_refused_with_what_differs(self):
         process = self.start(*RUN, "--json", "a.json")
