@@ -42,6 +42,7 @@ class CommandList : public rhi::CommandList {
     rhi::TextureView source, target;
   };
   void clear(GLuint framebuffer, const rhi::PassDesc& desc);
+  bool hasStencil(const rhi::DepthAttachment& depth) const;
   void resolve(const Resolve& resolve);
 
   Context& m_context;

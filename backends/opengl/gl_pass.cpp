@@ -18,8 +18,7 @@ void CommandList::doBeginPass(const rhi::PassDesc& desc) {
   m_barriers.beginPass(desc);
   if (desc.compute) return;
 
-  const bool depthReadOnly = desc.depth && desc.depth->readOnly;
-  m_state.beginPass(m_framebuffer, m_framebuffers.extent(key), depthReadOnly);
+  m_state.beginPass(m_framebuffer, m_framebuffers.extent(key), desc.depth);
   clear(m_framebuffer, desc);
 
   for (size_t i = 0; i < desc.colors.size(); ++i) {
@@ -28,19 +27,27 @@ void CommandList::doBeginPass(const rhi::PassDesc& desc) {
     if (color.store == rhi::StoreOp::DontCare)
       m_discards.push_back(GL_COLOR_ATTACHMENT0 + GLenum(i));
   }
-  if (desc.depth && desc.depth->store == rhi::StoreOp::DontCare && !depthReadOnly) {
+  if (!desc.depth) return;
+  if (desc.depth->store == rhi::StoreOp::DontCare && !desc.depth->readOnly)
     m_discards.push_back(GL_DEPTH_ATTACHMENT);
-    if (rhi::formatInfo(m_objects.textures.get(desc.depth->view.texture).desc().format).stencil)
-      m_discards.push_back(GL_STENCIL_ATTACHMENT);
-  }
+  if (hasStencil(*desc.depth) && desc.depth->stencilStore == rhi::StoreOp::DontCare &&
+      !desc.depth->stencilReadOnly)
+    m_discards.push_back(GL_STENCIL_ATTACHMENT);
+}
+
+bool CommandList::hasStencil(const rhi::DepthAttachment& depth) const {
+  return rhi::formatInfo(m_objects.textures.get(depth.view.texture).desc().format).stencil;
 }
 
 void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
   const Functions& gl = m_context.functions();
-  const bool any = (desc.depth && desc.depth->load == rhi::LoadOp::Clear) ||
-                   std::ranges::any_of(desc.colors, [](const rhi::ColorAttachment& c) {
-                     return c.load == rhi::LoadOp::Clear;
-                   });
+  const bool depth = desc.depth && desc.depth->load == rhi::LoadOp::Clear;
+  const bool stencil =
+      desc.depth && hasStencil(*desc.depth) && desc.depth->stencilLoad == rhi::LoadOp::Clear;
+  const bool any =
+      depth || stencil || std::ranges::any_of(desc.colors, [](const rhi::ColorAttachment& c) {
+        return c.load == rhi::LoadOp::Clear;
+      });
   if (any) m_state.openMasks();
   for (size_t i = 0; i < desc.colors.size(); ++i) {
     const rhi::ColorAttachment& color = desc.colors[i];
@@ -49,14 +56,14 @@ void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
     const rhi::Format format = m_objects.textures.get(color.view.texture).desc().format;
     switch (rhi::formatInfo(format).kind) {
       case rhi::FormatKind::Uint: {
-        const GLuint value[] = {rhi::integerClear<GLuint>(c[0]), rhi::integerClear<GLuint>(c[1]), rhi::integerClear<GLuint>(c[2]),
-                                rhi::integerClear<GLuint>(c[3])};
+        const GLuint value[] = {rhi::integerClear<GLuint>(c[0]), rhi::integerClear<GLuint>(c[1]),
+                                rhi::integerClear<GLuint>(c[2]), rhi::integerClear<GLuint>(c[3])};
         gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }
       case rhi::FormatKind::Sint: {
-        const GLint value[] = {rhi::integerClear<GLint>(c[0]), rhi::integerClear<GLint>(c[1]), rhi::integerClear<GLint>(c[2]),
-                               rhi::integerClear<GLint>(c[3])};
+        const GLint value[] = {rhi::integerClear<GLint>(c[0]), rhi::integerClear<GLint>(c[1]),
+                               rhi::integerClear<GLint>(c[2]), rhi::integerClear<GLint>(c[3])};
         gl.ClearNamedFramebufferiv(framebuffer, GL_COLOR, GLint(i), value);
         break;
       }
@@ -64,13 +71,15 @@ void CommandList::clear(GLuint framebuffer, const rhi::PassDesc& desc) {
         gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), c.data());
     }
   }
-  if (!desc.depth || desc.depth->load != rhi::LoadOp::Clear) return;
-  const rhi::Format format = m_objects.textures.get(desc.depth->view.texture).desc().format;
-  if (rhi::formatInfo(format).stencil)
+  if (depth && stencil) {
     gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, desc.depth->clearDepth,
                                GLint(desc.depth->clearStencil));
-  else
+  } else if (depth) {
     gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &desc.depth->clearDepth);
+  } else if (stencil) {
+    const GLint value = desc.depth->clearStencil;
+    gl.ClearNamedFramebufferiv(framebuffer, GL_STENCIL, 0, &value);
+  }
 }
 
 void CommandList::resolve(const Resolve& resolve) {

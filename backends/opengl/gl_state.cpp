@@ -52,12 +52,16 @@ void State::enable(GLenum capability, bool on, bool& current) {
   current = on;
 }
 
-void State::beginPass(GLuint framebuffer, rhi::Extent2D extent, bool depthReadOnly) {
+void State::beginPass(GLuint framebuffer, rhi::Extent2D extent,
+                      const std::optional<rhi::DepthAttachment>& depth) {
   if (framebuffer != m_framebuffer) m_gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   m_framebuffer = framebuffer;
   m_extent = extent;
-  if (depthReadOnly != m_depthReadOnly) m_pipeline = {};
+  const bool depthReadOnly = depth && depth->readOnly;
+  const bool stencilReadOnly = depth && depth->stencilReadOnly;
+  if (depthReadOnly != m_depthReadOnly || stencilReadOnly != m_stencilReadOnly) m_pipeline = {};
   m_depthReadOnly = depthReadOnly;
+  m_stencilReadOnly = stencilReadOnly;
 }
 
 void State::openMasks() {
@@ -128,7 +132,7 @@ void State::applyDepthStencil(const FixedState& s, uint8_t reference) {
   if (write != m_depthWrite) m_gl.DepthMask(GLboolean(m_depthWrite = write));
   if (s.depthCompare != m_depthCompare) m_gl.DepthFunc(m_depthCompare = s.depthCompare);
   enable(GL_STENCIL_TEST, s.stencilTest, m_stencilTest);
-  const uint8_t mask = m_depthReadOnly ? 0 : s.stencilWriteMask;
+  const uint8_t mask = m_stencilReadOnly ? 0 : s.stencilWriteMask;
   if (mask != m_stencilWriteMask) m_gl.StencilMask(m_stencilWriteMask = mask);
   for (size_t i = 0; i < 2; ++i) {
     const GLenum face = i == 0 ? GL_FRONT : GL_BACK;

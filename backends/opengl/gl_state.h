@@ -21,7 +21,8 @@ class State {
   void forgetFramebuffer(GLuint framebuffer);
 
   /// Binds and notes what the pass allows.
-  void beginPass(GLuint framebuffer, rhi::Extent2D extent, bool depthReadOnly);
+  void beginPass(GLuint framebuffer, rhi::Extent2D extent,
+                 const std::optional<rhi::DepthAttachment>& depth);
   /// Clears, blits and invalidations heed masks and the scissor; the interface's do not.
   void openMasks();
 
@@ -69,7 +70,7 @@ class State {
   UniqueName m_vertexArray;
 
   rhi::Extent2D m_extent;
-  bool m_depthReadOnly = false;
+  bool m_depthReadOnly = false, m_stencilReadOnly = false;
 
   // Mirrors of the context; the initial values are OpenGL's own.
   GLuint m_framebuffer = 0;

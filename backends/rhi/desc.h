@@ -167,11 +167,15 @@ struct ColorAttachment {
 };
 struct DepthAttachment {
   TextureView view;
-  LoadOp load = LoadOp::Clear;  ///< depth and stencil alike
+  LoadOp load = LoadOp::Clear;
   StoreOp store = StoreOp::Store;
   float clearDepth = 1;
+  bool readOnly = false;  ///< depth is tested but not written: it may also be declared as Sampled
+  // Stencil, where the format has one, by itself.
+  LoadOp stencilLoad = LoadOp::Clear;
+  StoreOp stencilStore = StoreOp::Store;
   uint8_t clearStencil = 0;
-  bool readOnly = false;  ///< tested but not written: it may also be declared as Sampled
+  bool stencilReadOnly = false;
 };
 
 /// A declared access. Exactly one of `buffer` and `view.texture` is set.

@@ -61,8 +61,16 @@ bool isInteger(rhi::Format format) {
   return kind == rhi::FormatKind::Uint || kind == rhi::FormatKind::Sint;
 }
 
+bool hasStencil(const Texture& texture) { return rhi::formatInfo(texture.desc.format).stencil; }
+
+// The rest layout of depth lets stencil be written.
 VkImageLayout attachmentLayout(const Texture& texture, const rhi::DepthAttachment& depth) {
   return depth.readOnly ? texture.restLayout : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+}
+
+// A store counts as a write, which a read-only layout does not allow.
+VkAttachmentStoreOp storeOf(rhi::StoreOp store, bool readOnly) {
+  return readOnly ? VK_ATTACHMENT_STORE_OP_NONE : toVk(store);
 }
 
 }  // namespace
@@ -80,12 +88,14 @@ void CommandList::wantAttachments(const rhi::PassDesc& desc) {
   }
   if (!desc.depth) return;
   Texture& texture = m_device.get(desc.depth->view.texture);
-  const bool write = !desc.depth->readOnly;
+  const bool stencil = hasStencil(texture);
+  const bool write = !desc.depth->readOnly || (stencil && !desc.depth->stencilReadOnly);
+  const bool loads = desc.depth->load == rhi::LoadOp::Load ||
+                     (stencil && desc.depth->stencilLoad == rhi::LoadOp::Load);
   barriers.want(texture, texture.resolve(desc.depth->view), kDepthStages,
                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
                     (write ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VkAccessFlags2(0)),
-                write, attachmentLayout(texture, *desc.depth),
-                desc.depth->load != rhi::LoadOp::Load);
+                write, attachmentLayout(texture, *desc.depth), !loads);
 }
 
 void CommandList::wantUse(const rhi::ResourceUse& use, bool compute) {
@@ -141,8 +151,7 @@ VkRenderingAttachmentInfo CommandList::depthAttachment(const rhi::DepthAttachmen
       .imageView = viewOf(m_context, texture, texture.resolve(depth.view), texture.aspects),
       .imageLayout = attachmentLayout(texture, depth),
       .loadOp = toVk(depth.load),
-      // A store counts as a write, which a read-only layout does not allow.
-      .storeOp = depth.readOnly ? VK_ATTACHMENT_STORE_OP_NONE : toVk(depth.store),
+      .storeOp = storeOf(depth.store, depth.readOnly),
       .clearValue = {.depthStencil = {depth.clearDepth, depth.clearStencil}},
   };
 }
@@ -150,7 +159,6 @@ VkRenderingAttachmentInfo CommandList::depthAttachment(const rhi::DepthAttachmen
 void CommandList::beginRendering(const rhi::PassDesc& desc) {
   std::array<VkRenderingAttachmentInfo, rhi::kMaxColorAttachments> colors;
   assert(desc.colors.size() <= colors.size());
-  assert(!desc.depth || !desc.depth->readOnly || desc.depth->load != rhi::LoadOp::Clear);
   m_extent = desc.extent;
   uint32_t layers = 1;
   auto measure = [&](const rhi::TextureView& view) {
@@ -163,12 +171,12 @@ void CommandList::beginRendering(const rhi::PassDesc& desc) {
     colors[i] = colorAttachment(desc.colors[i]);
     measure(desc.colors[i].view);
   }
-  VkRenderingAttachmentInfo depth;
-  bool stencil = false;
+  VkRenderingAttachmentInfo depth, stencil;
   if (desc.depth) {
-    depth = depthAttachment(*desc.depth);
+    depth = stencil = depthAttachment(*desc.depth);
+    stencil.loadOp = toVk(desc.depth->stencilLoad);
+    stencil.storeOp = storeOf(desc.depth->stencilStore, desc.depth->stencilReadOnly);
     measure(desc.depth->view);
-    stencil = rhi::formatInfo(m_device.get(desc.depth->view.texture).desc.format).stencil;
   }
   assert(m_extent.width > 0 && "a pass without attachments needs an extent");
   const VkRenderingInfo info = {
@@ -178,7 +186,8 @@ void CommandList::beginRendering(const rhi::PassDesc& desc) {
       .colorAttachmentCount = uint32_t(desc.colors.size()),
       .pColorAttachments = colors.data(),
       .pDepthAttachment = desc.depth ? &depth : nullptr,
-      .pStencilAttachment = stencil ? &depth : nullptr,
+      .pStencilAttachment =
+          desc.depth && hasStencil(m_device.get(desc.depth->view.texture)) ? &stencil : nullptr,
   };
   m_vk.vkCmdBeginRendering(m_commands, &info);
 }

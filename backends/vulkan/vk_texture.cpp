@@ -24,6 +24,9 @@ VkImageUsageFlags usageOf(const rhi::TextureDesc& desc) {
 // Storage images stay in GENERAL even while sampled: one image may be both in one pass.
 VkImageLayout restLayoutOf(const rhi::TextureDesc& desc) {
   if (has(desc.use, TextureUse::Storage)) return VK_IMAGE_LAYOUT_GENERAL;
+  // Depth is read while stencil is written.
+  if (rhi::formatInfo(desc.format).stencil && has(desc.use, TextureUse::DepthTarget))
+    return VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_STENCIL_ATTACHMENT_OPTIMAL;
   if (rhi::formatInfo(desc.format).depth) return VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
   if (has(desc.use, TextureUse::Sampled)) return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
   if (has(desc.use, TextureUse::ColorTarget)) return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;

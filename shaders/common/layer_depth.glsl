@@ -23,20 +23,24 @@ float layerDepth() {
   precise float across = uintBitsToFloat(coplanar[record]) * gl_FragCoord.x;
   precise float up = uintBitsToFloat(coplanar[record + 1u]) * gl_FragCoord.y;
   precise float depth = across + up + uintBitsToFloat(coplanar[record + 2u]);
-  uint bits = floatBitsToUint(clamp(depth, 0.0, 1.0)) + (coplanar[record + 3u] & 0xFFFFu);
-  return min(uintBitsToFloat(bits), 1.0);
+  // Nearer is more; those behind lie as many steps of a float lower.
+  uint bits = floatBitsToUint(clamp(depth, 0.0, 1.0));
+  return uintBitsToFloat(bits - min(bits, coplanar[record + 3u] & 0xFFFFu));
 }
 
 // Is the layer hidden by the opaque surface at its pixel? In the plane of one, it is no layer: the
 // rasteriser's depth of that surface is off by as much as vertices move on its grid.
 bool hiddenBy(float opaque, float depth) {
-  if (kCoplanar && opaque < 1.0) {
+  if (kCoplanar && opaque > 0.0) {
     uint record = coplanarRecord();
     if (record != 0u && (coplanar[record + 3u] & 0x10000u) != 0u) {
-      float slope = abs(uintBitsToFloat(coplanar[record])) + abs(uintBitsToFloat(coplanar[record + 1u]));
-      return depth + slope * (1.0 / 64.0) + 1e-6 > opaque;
+      float across = abs(uintBitsToFloat(coplanar[record]));
+      float up = abs(uintBitsToFloat(coplanar[record + 1u]));
+      float rounding = across * gl_FragCoord.x + up * gl_FragCoord.y +
+                       abs(uintBitsToFloat(coplanar[record + 2u]));
+      return depth - (across + up) * (1.0 / 64.0) - rounding * 1e-6 < opaque;
     }
   }
-  return depth > opaque;
+  return depth < opaque;
 }
 #endif

@@ -14,3 +14,13 @@ struct Receiver {
   uint kind;
   uint concave;   // sides from which its surface rises before it: 1 the normal's, 2 the other
 };
+
+// What the surface there does with light: for techniques that replace directLight.
+struct Reflector {
+  vec3 albedo;
+  float metallic;
+  float roughness;
+  float transmission;  // share of the diffuse part that passes
+  vec3 normal;         // for shading, unit, on the viewer's side
+  vec3 toEye;          // unit
+};

@@ -26,6 +26,13 @@ struct FrameData {
   uvec4 counts;         // x: lights, y: width, z: height, w: seed
   vec4 eye;             // of the camera in the world, rounded: for noise=source alone
   vec4 sky;             // rgb: ambient light from above
+  // From a pixel and its depth to a camera-relative position (common/position.glsl).
+  vec4 rayOrigin;       // where the ray through window (0, 0) is one unit before the eye; parallel
+                        // rays: where it starts
+  vec4 rayRight;        // change of it to the next pixel
+  vec4 rayUp;           // to the next row
+  vec4 rayForward;      // the way the camera looks; w: 1 if rays are parallel (orthographic)
+  vec4 depthToDistance; // along the axis (x + y depth) / (z + w depth)
 };
 
 // A placed mesh.
@@ -100,7 +107,8 @@ struct ShadowViewData {
 static_assert(sizeof(DrawData) == 16);
 static_assert(offsetof(FrameData, ambient) == 64 && offsetof(FrameData, counts) == 80 &&
               offsetof(FrameData, eye) == 96 && offsetof(FrameData, sky) == 112 &&
-              sizeof(FrameData) == 128);
+              offsetof(FrameData, rayOrigin) == 128 && offsetof(FrameData, rayForward) == 176 &&
+              offsetof(FrameData, depthToDistance) == 192 && sizeof(FrameData) == 208);
 static_assert(offsetof(InstanceData, normal0) == 48 && offsetof(InstanceData, ids) == 96 &&
               sizeof(InstanceData) == 112);
 static_assert(sizeof(TriangleData) == 16);

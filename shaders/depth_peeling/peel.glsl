@@ -9,7 +9,7 @@ void discardUnlessNext() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = layerDepth();
   if (hiddenBy(texelFetch(t_opaqueDepth, pixel, 0).r, depth)) discard;
-  if (!kFirstLayer && depth <= texelFetch(t_previousDepth, pixel, 0).r) discard;
+  if (!kFirstLayer && depth >= texelFetch(t_previousDepth, pixel, 0).r) discard;
 #ifdef WRITES_DEPTH
   gl_FragDepth = depth;
 #endif

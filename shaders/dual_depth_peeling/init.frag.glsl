@@ -1,5 +1,5 @@
 #version 450
-// Bounds of all layers of a pixel: (-nearest, farthest) by MAX blending.
+// Bounds of all layers of a pixel: (nearest, -farthest) by MAX blending.
 #include "common/options.glsl"
 #include "common/scene.glsl"
 #include "common/material.glsl"
@@ -13,5 +13,5 @@ void main() {
   if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha <= 0.0) discard;
   float depth = layerDepth();
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
-  o_bounds = vec2(-depth, depth);
+  o_bounds = vec2(depth, -depth);
 }

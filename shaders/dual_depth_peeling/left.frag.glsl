@@ -5,6 +5,6 @@ layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY + 2)) uniform sampler2D t_bou
 layout(location = 0) out vec4 o_color;
 
 void main() {
-  if (texelFetch(t_bounds, ivec2(gl_FragCoord.xy), 0).g < 0.0) discard;
+  if (texelFetch(t_bounds, ivec2(gl_FragCoord.xy), 0).r < 0.0) discard;
   o_color = vec4(0);
 }

@@ -2,10 +2,11 @@
 // one word (8 bits a channel) or two (half floats); with a weight per channel of what lies behind
 // (EMITS_WEIGHTS) one word more.
 layout(constant_id = 32) const bool kHalfColours = true;
-#define END_OF_LIST 0xFFFFFFFFu
 
 #ifdef EMITS_WEIGHTS
 uint nodeWords() { return kHalfColours ? 6u : 5u; }
 #else
 uint nodeWords() { return kHalfColours ? 5u : 4u; }
 #endif
+#define LIST_STORAGE STORAGE_TRANSPARENCY
+#include "common/list_pool.glsl"

@@ -7,14 +7,8 @@
 #include "linked_lists/nodes.glsl"
 layout(constant_id = 33) const uint kLayers = 16u;
 layout(binding = SLOT_UNIFORM(UNIFORM_FRAME), std140) uniform FrameBlock { FrameData frame; };
-layout(binding = SLOT_STORAGE(STORAGE_TRANSPARENCY), std430) readonly buffer HeadBlock {
-  uint heads[];
-};
-layout(binding = SLOT_STORAGE(STORAGE_TRANSPARENCY + 1), std430) readonly buffer NodeBlock {
-  uint nodes[];
-};
 
-// Nearest first. Depths are not negative: their bits order as they do.
+// Nearest first, of the greatest depth. Depths are not negative: their bits order as they do.
 uint depths[kLayers], keys[kLayers], words[kLayers];
 
 void addToTail(uint at);
@@ -23,13 +17,13 @@ void addToTail(uint at);
 uint sortList() {
   uvec2 pixel = uvec2(gl_FragCoord.xy);
   uint node = heads[pixel.y * frame.counts.y + pixel.x];
-  uint capacity = uint(nodes.length()) / nodeWords();
+  uint capacity = listCapacity();
   uint count = 0u;
   for (uint i = 0u; i < capacity && node < capacity; ++i) {
     uint at = node * nodeWords();
     uint depth = nodes[at], key = nodes[at + 1u];
     uint place = count;
-    while (place > 0u && (depth < depths[place - 1u] ||
+    while (place > 0u && (depth > depths[place - 1u] ||
                           (depth == depths[place - 1u] && key < keys[place - 1u])))
       --place;
     if (place >= kLayers) {

@@ -6,7 +6,9 @@
 #include "common/material.glsl"
 #include "common/receiver.glsl"
 #include <technique/visibility.glsl>
+#include <lights/lights.glsl>
 #include "common/surface.glsl"
+#include "common/shading.glsl"
 #define SURFACE_IO in
 #include "common/surface_io.glsl"
 layout(location = 0) out vec4 o_color;

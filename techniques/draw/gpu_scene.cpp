@@ -93,9 +93,9 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
   for (const Instance& instance : m_scene.instances)
     m_rises.push_back(risesInLight(m_scene, instance, sides[instance.mesh]));
   using U = rhi::BufferUse;
-  m_positions = makeBuffer(device, "scene positions", positions, U::Vertex);
+  m_positions = makeBuffer(device, "scene positions", positions, U::Vertex | U::Storage);
   m_attributes = makeBuffer(device, "scene attributes", attributes, U::Vertex);
-  m_indices = makeBuffer(device, "scene indices", indices, U::Index);
+  m_indices = makeBuffer(device, "scene indices", indices, U::Index | U::Storage);
   m_triangles = makeBuffer(device, "scene triangles", triangles, U::Storage);
 }
 

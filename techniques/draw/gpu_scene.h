@@ -31,7 +31,8 @@ class GpuScene {
   /// Surfaces that lie over others in one plane.
   const CoplanarSurfaces& coplanar() const { return m_coplanar; }
 
-  /// Vertex buffer 0: positions (12 bytes); vertex buffer 1: the other attributes.
+  /// Vertex buffer 0: positions (12 bytes); vertex buffer 1: the other attributes. Positions and
+  /// indices are storage, too.
   rhi::BufferId positions() const { return m_positions; }
   rhi::BufferId attributes() const { return m_attributes; }
   rhi::BufferId indices() const { return m_indices; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "techniques/scene/light_data.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 using glm::dmat3;
 using glm::dmat4;
+using glm::dvec2;
 using glm::dvec3;
 
 struct FitInput {
@@ -21,10 +23,18 @@ struct FitInput {
   std::vector<uint32_t> receivers;  ///< instances in the view
 };
 
+/// A square window in the plane one unit before a light.
+struct Window {
+  dvec2 center = dvec2(0);
+  double half = 0;
+};
+
 /// Rotated world -> clip, depth from 1 at the near plane to 0 at infinity.
-dmat4 reversedPerspective(double tangent, double nearPlane) {
+dmat4 reversedPerspective(const Window& window, double nearPlane) {
   dmat4 m(0);
-  m[0][0] = m[1][1] = 1 / tangent;
+  m[0][0] = m[1][1] = 1 / window.half;
+  m[2][0] = window.center.x / window.half;
+  m[2][1] = window.center.y / window.half;
   m[2][3] = -1;
   m[3][2] = nearPlane;
   return m;
@@ -185,11 +195,54 @@ DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, cons
   return {std::min(nearPlane, farthest * 0.5), farthest * 1.001};
 }
 
-/// Are the bounds inside or across the square pyramid of half-angle tangent `t`?
-bool touchesPyramid(const Box& b, double t, double farPlane) {
+/// Are the bounds inside or across the pyramid from the light through a window?
+bool touchesPyramid(const Box& b, const Window& window, double farPlane) {
   if (-b.max.z > farPlane || -b.min.z < 0) return false;
-  const double reach = -b.min.z * t;  // widest cross-section that the box can meet
-  return b.min.x <= reach && b.max.x >= -reach && b.min.y <= reach && b.max.y >= -reach;
+  for (int axis = 0; axis < 2; ++axis) {
+    // A side x = t (-z): the box lies beyond it if each of its corners does.
+    const double high = window.center[axis] + window.half, low = window.center[axis] - window.half;
+    const auto lowest = [&](double t) { return t * (t < 0 ? b.max.z : b.min.z); };
+    const auto highest = [&](double t) { return t * (t < 0 ? b.min.z : b.max.z); };
+    if (b.min[axis] + lowest(high) > 0 || b.max[axis] + highest(low) < 0) return false;
+  }
+  return true;
+}
+
+/// Bounds of a box as the light sees it in the plane one unit before it; all of `most` where the
+/// box reaches around the light.
+void addSeen(const Box& b, double most, dvec2& low, dvec2& high) {
+  const double near = -b.max.z, far = -b.min.z;
+  if (far <= 0) return;
+  const auto seen = [&](double x, bool highest) {
+    const double z = (x > 0) == highest ? near : far;
+    return z > 0 ? std::clamp(x / z, -most, most) : (x > 0 ? most : -most);
+  };
+  for (int axis = 0; axis < 2; ++axis) {
+    low[axis] = std::min(low[axis], seen(b.min[axis], false));
+    high[axis] = std::max(high[axis], seen(b.max[axis], true));
+  }
+}
+
+/// The part of a face of the light, `most` wide to each side, in which the camera sees receivers.
+/// Nothing: it sees none there.
+std::optional<Window> seenWindow(const FitInput& in, const Light& light, const dmat3& axes,
+                                 double most) {
+  if (in.settings.fit == LightFit::Stable) return Window{.half = most};
+  const dvec3 toEye = in.camera.eye() - light.position;
+  Box frustum;
+  for (const dvec3& corner : frustumCorners(in.camera, in.aspect, farthestReceiver(in)))
+    frustum.add(axes * (corner + toEye));
+  dvec2 low(most), high(-most);
+  for (const uint32_t i : in.receivers) {
+    Box b = instanceBounds(in.scene, i, light.position, axes);
+    b.min = glm::max(b.min, frustum.min);
+    b.max = glm::min(b.max, frustum.max);
+    if (glm::all(glm::lessThanEqual(b.min, b.max))) addSeen(b, most, low, high);
+  }
+  if (low.x > high.x || low.y > high.y) return {};
+  const double half = std::max(high.x - low.x, high.y - low.y) / 2;
+  // A receiver that is seen as a point still has a neighbourhood.
+  return Window{.center = (low + high) / 2.0, .half = std::max(half * (1 + 1e-6), most * 1e-6)};
 }
 
 void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& axes,
@@ -197,14 +250,17 @@ void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& 
                   std::vector<LightView>& out) {
   const Light& light = in.scene.lights[effects.light];
   const double size = in.settings.mapSize;
-  // Widen so that `tangent` falls guardTexels inside the border.
-  const double wide = tangent * size / std::max(1.0, size - 2.0 * in.settings.guardTexels);
+  const std::optional<Window> seen = seenWindow(in, light, axes, tangent);
+  Window wide = seen.value_or(Window{.half = tangent});
+  // Widen so that what is seen lies guardTexels inside the border.
+  wide.half *= size / std::max(1.0, size - 2.0 * in.settings.guardTexels);
   const dmat4 toClip = reversedPerspective(wide, range.nearPlane) * dmat4(axes);
   LightView& view = out.emplace_back();
   view.light = effects.light;
   view.face = face;
-  view.data = viewData(toClip, light.position - in.camera.eye(), in.settings, 2 * wide / size, true,
-                       8 * light.key + face);
+  view.data = viewData(toClip, light.position - in.camera.eye(), in.settings, 2 * wide.half / size,
+                       true, 8 * light.key + face);
+  if (!seen) return;
   assignCasters(view, effects, [&](uint32_t i) {
     return touchesPyramid(instanceBounds(in.scene, i, light.position, axes), wide, range.farPlane);
   });

@@ -2,9 +2,9 @@
 // light. Everything is computed in double relative to the eye, and uploaded as floats.
 //   directional  orthographic around the visible receivers, snapped to texels of a grid anchored at
 //                the scene (decision D4), casters before the near plane kept by depth clamp
-//   spot         perspective over the outer cone
-//   point        six 90-degree faces, each wider by the filter's radius so that a kernel never
-//                leaves its face
+//   spot         perspective over the part of the outer cone in which the camera sees receivers
+//   point        six 90-degree faces, of each the same part, wider by the filter's radius so that a
+//                kernel never leaves its face
 // Depth is reversed, 1 near the light to 0 far from it. Local lights use perspective depth per face
 // with far at infinity (spec 01, P6): n / z, which a float holds to the same relative precision at
 // every distance (spec 17, N3), so that near may lie as near as casters do.
@@ -20,7 +20,9 @@ namespace sb {
 
 enum class LightFit : uint8_t {
   Tight,   ///< the smallest square around the visible receivers: best resolution for this view
-  Stable,  ///< a square of constant size around the frustum: texels do not shimmer in motion
+  /// Directional: a square of constant size around the frustum; local: the whole cone or face.
+  /// Texels do not shimmer in motion.
+  Stable,
 };
 
 struct LightFitSettings {

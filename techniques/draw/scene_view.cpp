@@ -101,6 +101,7 @@ SceneView::Write SceneView::uploadsTo(rhi::Device& device) {
 void SceneView::look(const Camera& camera, const ViewEffects& shown) {
   m_shown = &shown;
   m_camera = cameraMatrices(camera, aspect());
+  m_rays = cameraRays(camera, m_size.width, m_size.height);
   for (uint32_t i = 0; i < m_instanceData.size(); ++i) {
     const glm::vec3 place(glm::dvec3(scene().instances[i].toWorld[3]) - m_camera.eye);
     glm::vec4* rows = &m_instanceData[i].toRelative0;
@@ -173,7 +174,12 @@ void SceneView::writeFrame(const Write& write) const {
                              .ambient = glm::vec4(scene().ambient, 0),
                              .counts = {uint32_t(lights), m_size.width, m_size.height, m_seed},
                              .eye = glm::vec4(m_camera.eye, 1),
-                             .sky = glm::vec4(scene().sky, 0)};
+                             .sky = glm::vec4(scene().sky, 0),
+                             .rayOrigin = glm::vec4(m_rays.origin, 0),
+                             .rayRight = glm::vec4(m_rays.right, 0),
+                             .rayUp = glm::vec4(m_rays.up, 0),
+                             .rayForward = glm::vec4(m_rays.forward, m_rays.parallel ? 1 : 0),
+                             .depthToDistance = glm::vec4(m_rays.depthToDistance)};
   write(m_frame, std::as_bytes(std::span(&frame, 1)));
 }
 

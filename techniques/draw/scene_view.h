@@ -83,6 +83,7 @@ class SceneView {
   uint32_t m_seed;
   uint32_t m_step = 0;
   CameraMatrices m_camera;
+  CameraRays m_rays;
   std::optional<LightFitSettings> m_fit;
   std::vector<LightView> m_united;  ///< views of all steps
   bool m_firstHasAll = true;

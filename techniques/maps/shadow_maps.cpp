@@ -202,13 +202,15 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
 }
 
 LookupReach ShadowMaps::reach(uint32_t sceneLight) const {
+  LookupReach reach;
   for (const LightView& view : views()) {
-    if (view.light != sceneLight) continue;
-    // A texel's width anywhere, or at distance 1 under a local light.
+    if (view.light != sceneLight || view.layer() < 0) continue;
+    // A texel's width anywhere, or at distance 1 under a local light: of the face with the widest.
     const double half = 0.5 * double(m_kernel + 1) * double(view.data.texel.z);
-    return view.data.texel.w > 0 ? LookupReach{.perDistance = half} : LookupReach{.constant = half};
+    double& most = view.data.texel.w > 0 ? reach.perDistance : reach.constant;
+    most = std::max(most, half);
   }
-  return {};
+  return reach;
 }
 
 std::vector<rhi::SpecConstant> ShadowMaps::constants(const Knobs& knobs) const {

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
+#include "techniques/render/frame_order.h"
 
 namespace sb {
 
-CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
-                       const TransparencyEntry* transparency)
-    : m_context(context), m_folder(std::move(folder)), m_inputs(std::move(inputs)) {
+CameraPass::CameraPass(const Context& context, CameraPassDesc desc)
+    : m_context(context), m_desc(std::move(desc)) {
   const auto [width, height] = context.view.size();
   using U = rhi::TextureUse;
   m_color = context.device.createTexture({.label = "camera colour",
@@ -17,7 +17,7 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
                                           .height = height,
                                           .use = U::ColorTarget | U::Sampled | U::CopySource});
   m_depth = context.device.createTexture({.label = "camera depth",
-                                          .format = kDepthFormat,
+                                          .format = depthFormat(),
                                           .width = width,
                                           .height = height,
                                           .use = U::DepthTarget | U::Sampled | U::CopySource});
@@ -32,80 +32,66 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
   }
   m_drawList = drawListWith({});
 
-  fillBuckets();
-  for (Bucket& bucket : m_buckets) {
-    rhi::GraphicsPipelineDesc desc =
-        surfacePipeline(bucket.masked ? "masked" : "opaque", "forward.frag", bucket.masked);
-    desc.raster.cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
-    bucket.pipeline = m_opaque[{bucket.masked, bucket.doubleSided}] = context.pipelines.get(desc);
-  }
-  if (transparency && context.plan.runs(Effect::CameraTransparency)) {
-    m_transparency = transparency->make();
+  m_opaque = OpaqueSurfaces(context, *this);
+  if (m_desc.transparency && context.plan.runs(Effect::CameraTransparency)) {
+    m_transparency = m_desc.transparency->make();
     m_transparency->prepare(context, *this);
   }
 }
 
-void CameraPass::fillBuckets() {
-  m_buckets.clear();
-  const Scene& scene = m_context.view.scene();
-  for (uint32_t i : m_context.view.effects().visibleOpaque) {
-    const Material& material = scene.materials[scene.meshes[scene.instances[i].mesh].material];
-    const bool masked = material.alphaMode == AlphaMode::Mask;
-    auto bucket = std::ranges::find_if(m_buckets, [&](const Bucket& b) {
-      return b.masked == masked && b.doubleSided == material.doubleSided;
-    });
-    if (bucket == m_buckets.end())
-      bucket = m_buckets.insert(bucket, {.masked = masked,
-                                         .doubleSided = material.doubleSided,
-                                         .instances = {},
-                                         .pipeline = m_opaque[{masked, material.doubleSided}]});
-    bucket->instances.push_back(i);
-  }
+void CameraPass::cameraMoved(Frame& frame) {
+  m_opaque.refill(*this);
+  if (m_transparency) m_transparency->cameraMoved(frame, *this);
 }
 
-void CameraPass::cameraMoved(Frame& frame) {
-  fillBuckets();
-  if (m_transparency) m_transparency->cameraMoved(frame, *this);
+const std::string& CameraPass::folder(Receivers receivers) const {
+  static const std::string kLit = "none";
+  const TransparencyEntry* transparency = m_desc.transparency;
+  const bool lit = receivers == Receivers::Translucent && byLayer() &&
+                   !(transparency && transparency->info.handsOutLayers);
+  return lit ? kLit : m_desc.folder;
+}
+
+std::string CameraPass::shaded(Receivers receivers, const std::string& transparencyFolder,
+                               const std::string& pass) const {
+  std::string name = folder(receivers);
+  if (!transparencyFolder.empty()) name += "+" + transparencyFolder;
+  // As shaders are named (backends/shader/collect.h).
+  if (m_desc.lightsFolder != "all_lights") name += "@" + m_desc.lightsFolder;
+  return name + "/" + pass;
 }
 
 rhi::GraphicsPipelineDesc CameraPass::surfacePipeline(const std::string& label,
                                                       const std::string& fragment,
                                                       bool masked) const {
-  rhi::GraphicsPipelineDesc desc{
-      .label = m_folder + " " + label,
-      .vertex = &m_context.shaders.get("common/surface.vert"),
-      .fragment = &m_context.shaders.get(m_folder + "/" + fragment),
-      .vertexBuffers = GpuScene::vertexLayout(true),
-      .attributes = GpuScene::vertexAttributes(true),
-      .depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less},
-      .targets = {{.format = kColorFormat}},
-      .depthFormat = kDepthFormat};
-  std::vector<rhi::SpecConstant> constants = {
-      {0, m_context.view.gpu().textured()},
-      {1, m_context.plan.runs(Effect::NormalMaps)},
-      {2, masked},
-      {4, !m_context.view.gpu().coplanar().empty()}};
-  constants.insert(constants.end(), m_inputs.constants.begin(), m_inputs.constants.end());
+  rhi::GraphicsPipelineDesc desc{.label = m_desc.folder + " " + label,
+                                 .vertex = &m_context.shaders.get("common/surface.vert"),
+                                 .fragment = &m_context.shaders.get(fragment),
+                                 .vertexBuffers = GpuScene::vertexLayout(true),
+                                 .attributes = GpuScene::vertexAttributes(true),
+                                 .depth = {.test = true, .write = true, .compare = kNearer},
+                                 .targets = {{.format = kColorFormat}},
+                                 .depthFormat = depthFormat()};
+  std::vector<rhi::SpecConstant> constants = {{0, m_context.view.gpu().textured()},
+                                              {1, m_context.plan.runs(Effect::NormalMaps)},
+                                              {2, masked},
+                                              {4, !m_context.view.gpu().coplanar().empty()}};
+  constants.insert(constants.end(), m_desc.inputs.constants.begin(), m_desc.inputs.constants.end());
   desc.constants = declaredConstants({desc.vertex, desc.fragment}, constants);
   return desc;
 }
 
 rhi::GraphicsPipelineDesc CameraPass::translucentPipeline(
     const std::string& transparencyFolder) const {
-  rhi::GraphicsPipelineDesc desc = surfacePipeline("translucent", "forward.frag", false);
-  desc.fragment = &m_context.shaders.get(m_folder + "+" + transparencyFolder + "/translucent.frag");
-  desc.depth = {.test = true, .write = false, .compare = rhi::CompareOp::LessOrEqual};
+  rhi::GraphicsPipelineDesc desc = surfacePipeline(
+      "translucent", shaded(Receivers::Translucent, transparencyFolder, "translucent.frag"), false);
+  desc.depth = {.test = true, .write = false, .compare = kNearerOrEqual};
   return desc;
 }
 
 rhi::GraphicsPipelineDesc CameraPass::unshadedPipeline(const std::string& fragment) const {
-  rhi::GraphicsPipelineDesc desc = surfacePipeline("translucent", "forward.frag", false);
+  rhi::GraphicsPipelineDesc desc = surfacePipeline("", fragment, false);
   desc.label = fragment;
-  desc.fragment = &m_context.shaders.get(fragment);
-  desc.constants =
-      declaredConstants({desc.vertex, desc.fragment},
-                        {{0, m_context.view.gpu().textured()},
-                         {4, !m_context.view.gpu().coplanar().empty()}});
   desc.depth = {};
   desc.targets = {};
   desc.depthFormat = rhi::Format::Undefined;
@@ -130,7 +116,7 @@ rhi::GraphicsPipelineDesc CameraPass::colouredCompositePipeline(const std::strin
 }
 
 DrawList CameraPass::drawListWith(std::span<const rhi::Binding> extra) const {
-  std::vector<rhi::Binding> all = m_inputs.bindings;
+  std::vector<rhi::Binding> all = m_desc.inputs.bindings;
   all.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_noOrder));
   all.insert(all.end(), extra.begin(), extra.end());
   return DrawList(m_context.view, std::move(all), true);
@@ -140,24 +126,41 @@ std::vector<std::string> CameraPass::warnings() {
   return m_transparency ? m_transparency->warnings() : std::vector<std::string>();
 }
 
+void CameraPass::recordLayer(Frame& frame, const ReceiverLayer& layer,
+                             const std::function<void()>& depth,
+                             const std::function<void()>& surfaces) const {
+  sb::recordLayer(frame, m_desc.byLayer, layer, {depth, surfaces});
+}
+
 void CameraPass::recordOpaque(Frame& frame) {
+  recordLayer(
+      frame, {.depth = m_depth, .index = 0}, [&] { recordDepth(frame); },
+      [&] { recordShaded(frame); });
+}
+
+void CameraPass::recordDepth(Frame& frame) {
+  // It exists for shadows alone.
+  frame.pass({.label = "depth prepass",
+              .depth = rhi::DepthAttachment{.view = {.texture = m_depth}, .clearDepth = kFarDepth}},
+             PassGroup::Shadow,
+             [&](rhi::CommandList& commands) { m_opaque.drawDepth(commands, m_drawList); });
+}
+
+void CameraPass::recordShaded(Frame& frame) {
   const glm::vec3 background = m_context.view.scene().background;
   const rhi::ColorAttachment color{.view = {.texture = m_color},
                                    .clear = {background.r, background.g, background.b, 1}};
+  rhi::DepthAttachment depth{.view = {.texture = m_depth}, .clearDepth = kFarDepth};
+  if (m_desc.byLayer) {
+    depth.load = rhi::LoadOp::Load;
+    depth.readOnly = true;
+  }
   frame.pass({.label = "opaque",
               .colors = std::span(&color, 1),
-              .depth = rhi::DepthAttachment{.view = {.texture = m_depth}},
-              .reads = m_inputs.reads},
-             PassGroup::Scene, [&](rhi::CommandList& commands) {
-               for (const Bucket& b : m_buckets)
-                 m_drawList.draw(commands, b.pipeline, b.instances);
-             });
-}
-
-void CameraPass::drawOpaque(rhi::CommandList& commands, DrawList& draws,
-                            rhi::PipelineId singleSided, rhi::PipelineId doubleSided) const {
-  for (const Bucket& b : m_buckets)
-    draws.draw(commands, b.doubleSided ? doubleSided : singleSided, b.instances);
+              .depth = depth,
+              .reads = m_desc.inputs.reads},
+             PassGroup::Scene,
+             [&](rhi::CommandList& commands) { m_opaque.drawShaded(commands, m_drawList); });
 }
 
 void CameraPass::recordTranslucent(Frame& frame) {
@@ -180,17 +183,17 @@ void CameraPass::translucentPass(Frame& frame, const std::string& label,
   }
   frame.pass({.label = label,
               .colors = std::span(&color, 1),
-              .depth = rhi::DepthAttachment{.view = {.texture = m_depth},
-                                            .load = rhi::LoadOp::Load,
-                                            .readOnly = true},
-              .reads = m_inputs.reads},
+              .depth =
+                  rhi::DepthAttachment{
+                      .view = {.texture = m_depth}, .load = rhi::LoadOp::Load, .readOnly = true},
+              .reads = m_desc.inputs.reads},
              PassGroup::Scene, body);
 }
 
 void CameraPass::surfacePass(Frame& frame, rhi::PassDesc desc,
                              const std::function<void(rhi::CommandList&)>& body) {
   std::vector<rhi::ResourceUse> reads(desc.reads.begin(), desc.reads.end());
-  reads.insert(reads.end(), m_inputs.reads.begin(), m_inputs.reads.end());
+  reads.insert(reads.end(), m_desc.inputs.reads.begin(), m_desc.inputs.reads.end());
   desc.reads = reads;
   frame.pass(desc, PassGroup::Scene, body);
 }

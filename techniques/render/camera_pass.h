@@ -1,22 +1,33 @@
 // The picture: opaque surfaces shaded through the technique's visibility, then the transparency
-// technique over them. Colour is linear RGBA16F, depth D32F.
+// technique over them. Colour is linear RGBA16F, depth D32F, 1 near .. 0 far.
 #pragma once
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/draw/draw_list.h"
+#include "techniques/render/opaque_surfaces.h"
 #include "techniques/render/registry.h"
 
 namespace sb {
 
+/// What shades surfaces.
+struct CameraPassDesc {
+  std::string folder;                  ///< of the shaders that answer lightVisibility
+  VisibilityInputs inputs;             ///< what they read, and what the loop over lights reads
+  std::string lightsFolder;            ///< of the loop over lights
+  ShadowTechnique* byLayer = nullptr;  ///< the shadow technique, if it answers by layers
+  /// Null: the plan has no Effect::CameraTransparency.
+  const TransparencyEntry* transparency = nullptr;
+};
+
 class CameraPass {
  public:
   static constexpr rhi::Format kColorFormat = rhi::Format::RGBA16Float;
-  static constexpr rhi::Format kDepthFormat = rhi::Format::D32Float;
+  static constexpr float kFarDepth = 0;
+  static constexpr rhi::CompareOp kNearer = rhi::CompareOp::Greater;
+  /// Of layers: one may lie on the far plane, where depth was cleared to.
+  static constexpr rhi::CompareOp kNearerOrEqual = rhi::CompareOp::GreaterOrEqual;
 
-  /// `folder`: of the shaders that answer lightVisibility. `transparency` may be null when the plan
-  /// has no Effect::CameraTransparency.
-  CameraPass(const Context& context, std::string folder, VisibilityInputs inputs,
-             const TransparencyEntry* transparency);
+  CameraPass(const Context& context, CameraPassDesc desc);
 
   /// Within a frame, after the scene view has moved.
   void cameraMoved(Frame& frame);
@@ -27,15 +38,26 @@ class CameraPass {
   /// What the transparency technique has to say of the last frame. Call between frames.
   std::vector<std::string> warnings();
 
+  /// Of the camera's depth and of everything that is attached in its stead: with stencil where the
+  /// shadow technique answers by layers.
+  rhi::Format depthFormat() const {
+    return m_desc.byLayer ? rhi::Format::D32FloatS8 : rhi::Format::D32Float;
+  }
   rhi::TextureId color() const { return m_color; }
   rhi::TextureId depth() const { return m_depth; }
-  const std::string& folder() const { return m_folder; }
-  const VisibilityInputs& inputs() const { return m_inputs; }
+  const VisibilityInputs& inputs() const { return m_desc.inputs; }
 
   // For transparency techniques.
 
-  /// Pipeline of translucent surfaces with `emit` of the technique's folder: reads depth LEQUAL,
-  /// writes none, one colour target without blending. Change what differs, then get it.
+  /// The layer's surfaces, after the shadow technique has answered for them. `depth` draws the
+  /// depth of the layer beforehand; it runs only where the technique answers by layers (byLayer()).
+  void recordLayer(Frame& frame, const ReceiverLayer& layer, const std::function<void()>& depth,
+                   const std::function<void()>& surfaces) const;
+  /// The shadow technique answers by layers of receivers.
+  bool byLayer() const { return m_desc.byLayer != nullptr; }
+
+  /// Pipeline of translucent surfaces with `emit` of the technique's folder: reads depth, nearer or
+  /// equal, writes none, one colour target without blending. Change what differs, then get it.
   rhi::GraphicsPipelineDesc translucentPipeline(const std::string& transparencyFolder) const;
   /// The same surfaces through a fragment shader that does not shade (depths, opacities): neither
   /// targets nor depth yet.
@@ -48,8 +70,8 @@ class CameraPass {
   /// Feature::DualSourceBlend.
   rhi::GraphicsPipelineDesc colouredCompositePipeline(const std::string& fragment) const;
   /// A pass over the opaque picture: colour loaded, depth read only, visibility declared.
-  /// Where surfaces lie in one plane with opaque ones, depth is not attached but sampled: the shader
-  /// tests it (common/opaque_test.glsl, folders `.../coplanar`).
+  /// Where surfaces lie in one plane with opaque ones, depth is not attached but sampled: the
+  /// shader tests it (common/opaque_test.glsl, folders `.../coplanar`).
   void translucentPass(Frame& frame, const std::string& label,
                        const std::function<void(rhi::CommandList&)>& body);
   /// A pass with attachments of the technique's own that draws surfaces; what visibility reads is
@@ -76,31 +98,27 @@ class CameraPass {
 
   // For whatever draws the same surfaces for another purpose.
 
-  /// A pipeline of surfaces that asks the technique: `fragment` of its folder, writing depth.
+  enum class Receivers : uint8_t { Opaque, Translucent };
+  /// Folder of the shaders that answer for receivers. Translucent ones whose answer is
+  /// unrepresented (TechniqueInfo::handsOutLayers) are lit.
+  const std::string& folder(Receivers receivers) const;
+  /// Name of a shader that shades them.
+  std::string shaded(Receivers receivers, const std::string& transparencyFolder,
+                     const std::string& pass) const;
+  /// A pipeline of surfaces by one of those shaders, writing depth.
   rhi::GraphicsPipelineDesc surfacePipeline(const std::string& label, const std::string& fragment,
                                             bool masked) const;
-  /// The opaque surfaces that the camera sees, by pipelines and with bindings that are not its own.
-  void drawOpaque(rhi::CommandList& commands, DrawList& draws, rhi::PipelineId singleSided,
-                  rhi::PipelineId doubleSided) const;
+  const OpaqueSurfaces& opaque() const { return m_opaque; }
 
  private:
-  /// Opaque instances that share a pipeline. Single-sided materials show no back faces (glTF); to
-  /// light they are two-sided all the same.
-  struct Bucket {
-    bool masked = false;
-    bool doubleSided = false;
-    std::vector<uint32_t> instances;
-    rhi::PipelineId pipeline;
-  };
-  void fillBuckets();
+  void recordDepth(Frame& frame);
+  void recordShaded(Frame& frame);
 
   const Context m_context;
-  std::string m_folder;
-  VisibilityInputs m_inputs;
+  const CameraPassDesc m_desc;
   rhi::Texture m_color, m_depth;
   rhi::Sampler m_depthSampler;
-  std::vector<Bucket> m_buckets;
-  std::map<std::pair<bool, bool>, rhi::PipelineId> m_opaque;  ///< by masked and double-sided
+  OpaqueSurfaces m_opaque;
   rhi::Buffer m_noOrder;
   DrawList m_drawList, m_translucentDraws;
   std::unique_ptr<TransparencyTechnique> m_transparency;

@@ -1,7 +1,7 @@
 // Layers with a weight per channel (Effect::ColouredTransparency), composed front to back: their
-// light, dimmed by what lies before it, is added up, and the transmittance of all layers so far goes
-// from one target to another, since blending has no factor per channel for two targets at once.
-// Three targets of half floats; one full-screen pass a layer.
+// light, dimmed by what lies before it, is added up, and the transmittance of all layers so far
+// goes from one target to another, since blending has no factor per channel for two targets at
+// once. Three targets of half floats; one full-screen pass a layer.
 #pragma once
 
 #include "techniques/render/camera_pass.h"
@@ -23,8 +23,7 @@ class ColouredLayers {
   /// Slides a layer under those before it.
   void slideUnder(Frame& frame, const ColouredLayer& layer, bool first);
   /// All of them over the picture. `alsoReads` and `body`: what else is drawn in that pass.
-  void composite(Frame& frame, CameraPass& camera,
-                 std::span<const rhi::ResourceUse> alsoReads = {},
+  void composite(Frame& frame, CameraPass& camera, std::span<const rhi::ResourceUse> alsoReads = {},
                  const std::function<void(rhi::CommandList&)>& body = {});
   /// One layer over the picture, which holds all that lies behind it.
   void layOver(Frame& frame, CameraPass& camera, const ColouredLayer& layer);

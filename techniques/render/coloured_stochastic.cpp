@@ -9,11 +9,11 @@ namespace {
 /// Depths are compared for equality, and products close to one need more than half floats.
 constexpr rhi::Format kExact = rhi::Format::RGBA32Float;
 
-constexpr rhi::BlendState kMin = {.enabled = true,
+constexpr rhi::BlendState kMax = {.enabled = true,
                                   .dstColor = rhi::BlendFactor::One,
-                                  .colorOp = rhi::BlendOp::Min,
+                                  .colorOp = rhi::BlendOp::Max,
                                   .dstAlpha = rhi::BlendFactor::One,
-                                  .alphaOp = rhi::BlendOp::Min};
+                                  .alphaOp = rhi::BlendOp::Max};
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void ColouredStochastic::createPipelines(const Context& context, const CameraPas
   rhi::GraphicsPipelineDesc depths =
       camera.unshadedPipeline("stochastic_transparency/coloured/depth.frag");
   depths.constants.push_back({32, m_samples});
-  depths.targets.assign(m_samples, {.format = kExact, .blend = kMin});
+  depths.targets.assign(m_samples, {.format = kExact, .blend = kMax});
   m_depthPass = context.pipelines.get(depths);
 
   rhi::GraphicsPipelineDesc light = camera.translucentPipeline("stochastic_transparency/coloured");
@@ -85,7 +85,7 @@ void ColouredStochastic::record(Frame& frame, CameraPass& camera) {
   }
   std::vector<rhi::ColorAttachment> kept;
   for (uint32_t s = 0; s < m_samples; ++s)
-    kept.push_back({.view = {.texture = m_depths[s]}, .clear = {2, 2, 2, 2}});
+    kept.push_back({.view = {.texture = m_depths[s]}, .clear = {-1, -1, -1, -1}});
   surfaces("stochastic depth", kept, m_depthPass, m_unshaded);
   for (uint32_t s = 0; s < m_samples; ++s)
     reads.push_back(rhi::use(m_depths[s].id(), rhi::Access::Sampled));

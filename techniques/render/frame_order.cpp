@@ -14,4 +14,13 @@ void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws&
   }
 }
 
+void recordLayer(Frame& frame, ShadowTechnique* technique, const ReceiverLayer& layer,
+                 const LayerDraws& draws) {
+  if (technique) {
+    draws.depth();
+    technique->recordReceivers(frame, layer);
+  }
+  draws.surfaces();
+}
+
 }  // namespace sb

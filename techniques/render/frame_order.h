@@ -1,4 +1,5 @@
-// The order of a frame, whatever its surfaces are drawn for: the picture or the visibility buffer.
+// The order of a frame, whatever its surfaces are drawn for: the picture or the visibility buffer;
+// and of each layer of receivers within it.
 #pragma once
 
 #include <functional>
@@ -24,5 +25,15 @@ enum class Maps : uint8_t {
 /// `technique` may be null.
 void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws& draws,
                    Maps maps = Maps::Record);
+
+/// A layer of receivers: its depth, what the technique makes of it, then its surfaces.
+struct LayerDraws {
+  std::function<void()> depth;
+  std::function<void()> surfaces;
+};
+
+/// `technique` null: one that does not answer by layers, for which no depth is drawn beforehand.
+void recordLayer(Frame& frame, ShadowTechnique* technique, const ReceiverLayer& layer,
+                 const LayerDraws& draws);
 
 }  // namespace sb

@@ -37,11 +37,15 @@ std::vector<const ShadowEntry*> shadowTechniques() { return sorted<ShadowTechniq
 std::vector<const TransparencyEntry*> transparencyTechniques() {
   return sorted<TransparencyTechnique>();
 }
+std::vector<const LightsEntry*> lightTechniques() { return sorted<LightTechnique>(); }
 const ShadowEntry& shadowTechnique(std::string_view name) {
   return find<ShadowTechnique>("technique", name);
 }
 const TransparencyEntry& transparencyTechnique(std::string_view name) {
   return find<TransparencyTechnique>("transparency technique", name);
+}
+const LightsEntry& lightTechnique(std::string_view name) {
+  return find<LightTechnique>("light technique", name);
 }
 
 namespace detail {
@@ -52,6 +56,10 @@ bool add(ShadowEntry entry) {
 bool add(TransparencyEntry entry) {
   auto name = entry.info.name;
   return table<TransparencyTechnique>().emplace(std::move(name), std::move(entry)).second;
+}
+bool add(LightsEntry entry) {
+  auto name = entry.info.name;
+  return table<LightTechnique>().emplace(std::move(name), std::move(entry)).second;
 }
 }  // namespace detail
 

@@ -18,21 +18,29 @@ struct Registered {
 };
 using ShadowEntry = Registered<ShadowTechnique>;
 using TransparencyEntry = Registered<TransparencyTechnique>;
+using LightsEntry = Registered<LightTechnique>;
+
+/// The loop over lights that names leave out.
+inline constexpr const char* kDefaultLights = "AllLights";
 
 /// All registered, sorted by name ("none" first, for it is the baseline).
 std::vector<const ShadowEntry*> shadowTechniques();
 std::vector<const TransparencyEntry*> transparencyTechniques();
+std::vector<const LightsEntry*> lightTechniques();
 /// Throws InputError with the nearest names.
 const ShadowEntry& shadowTechnique(std::string_view name);
 const TransparencyEntry& transparencyTechnique(std::string_view name);
+const LightsEntry& lightTechnique(std::string_view name);
 
 namespace detail {
 bool add(ShadowEntry entry);
 bool add(TransparencyEntry entry);
+bool add(LightsEntry entry);
 }  // namespace detail
 
-/// Line at the end of a technique's file. `Type` derives from ShadowTechnique or
-/// TransparencyTechnique; what follows is its TechniqueInfo, whose commas are the macro's too.
+/// Line at the end of a technique's file. `Type` derives from ShadowTechnique,
+/// TransparencyTechnique or LightTechnique; what follows is its TechniqueInfo, whose commas are the
+/// macro's too.
 #define REGISTER_TECHNIQUE(Base, Type, ...)                        \
   [[maybe_unused]] const bool kRegistered##Type = sb::detail::add( \
       sb::Registered<sb::Base>{__VA_ARGS__, [] { return std::unique_ptr<sb::Base>(new Type); }})

@@ -18,6 +18,12 @@ std::map<std::string, uint64_t> difference(std::map<std::string, uint64_t> after
   return after;
 }
 
+void add(VisibilityInputs& inputs, const VisibilityInputs& more) {
+  inputs.bindings.insert(inputs.bindings.end(), more.bindings.begin(), more.bindings.end());
+  inputs.reads.insert(inputs.reads.end(), more.reads.begin(), more.reads.end());
+  inputs.constants.insert(inputs.constants.end(), more.constants.begin(), more.constants.end());
+}
+
 }  // namespace
 
 std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency) {
@@ -33,16 +39,16 @@ std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueI
       !(transparency.drawsParts && transparency.drawsParts(knobs)))
     return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
                      transparency.name + " does not draw those one after another"};
-  // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03, P2).
+  // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03,
+  // P2).
   std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
   needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
   needed.insert(needed.end(), transparency.requires_.begin(), transparency.requires_.end());
   for (const TechniqueInfo* info : {&technique, &transparency})
     for (const auto& [effect, feature] : info->requiresFor)
       if (present.has(effect) && !device.supports(feature))
-        return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature)) +
-                         ", which " + info->name + " needs for " +
-                         std::string(effectName(effect))};
+        return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature)) + ", which " +
+                         info->name + " needs for " + std::string(effectName(effect))};
   for (rhi::Feature feature : needed)
     if (!device.supports(feature))
       return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature))};
@@ -54,10 +60,11 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
   const auto before = device.device.ledger().bytesByLabel();
   const TechniqueInfo& info = m_desc.technique->info;
-  m_plan = makePlan(effects, info.represents | m_desc.transparency->info.represents, m_desc.forced);
+  m_plan = makePlan(effects, representedBy(info, m_desc.transparency->info), m_desc.forced);
   m_view = std::make_unique<SceneView>(device.device, gpuScene, effects, m_desc.size, m_desc.seed);
 
-  // Without a light that casts there is no shadow to compute: lighting alone, whatever the technique.
+  // Without a light that casts there is no shadow to compute: lighting alone, whatever the
+  // technique.
   const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
   std::string folder = "none";
   VisibilityInputs inputs;
@@ -70,8 +77,16 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     inputs = m_technique->inputs();
     folder = inputs.folder.empty() ? info.folder : inputs.folder;
   }
-  m_camera = std::make_unique<CameraPass>(context(), folder, std::move(inputs),
-                                          m_desc.transparency);
+  const LightsEntry& lights = m_desc.lights ? *m_desc.lights : lightTechnique(kDefaultLights);
+  m_lights = lights.make();
+  m_lights->prepare(context());
+  add(inputs, m_lights->inputs());
+  m_camera = std::make_unique<CameraPass>(
+      context(), CameraPassDesc{.folder = folder,
+                                .inputs = std::move(inputs),
+                                .lightsFolder = lights.info.folder,
+                                .byLayer = info.receiversByLayer ? m_technique.get() : nullptr,
+                                .transparency = m_desc.transparency});
   m_bytes = difference(device.device.ledger().bytesByLabel(), before);
 }
 
@@ -83,6 +98,7 @@ void Renderer::moveCamera(Frame& frame, uint32_t step) {
   frame.between("camera moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
     m_view->moveTo(commands, step);
     if (m_technique) m_technique->cameraMoved(frame);
+    m_lights->cameraMoved(frame);
     m_camera->cameraMoved(frame);
   });
 }
@@ -95,6 +111,7 @@ FrameResult Renderer::frame(FrameMode mode) {
   m_at = step;
   return m_runner.run(mode, [&](Frame& frame) {
     if (moves) moveCamera(frame, step);
+    m_lights->record(frame);
     recordInOrder(
         frame, m_technique.get(),
         {.opaque = [&] { m_camera->recordOpaque(frame); },

@@ -21,7 +21,8 @@ struct DeviceContext {
 struct RendererDesc {
   const ShadowEntry* technique = nullptr;
   const TransparencyEntry* transparency = nullptr;
-  Knobs knobs;  ///< of both techniques together
+  const LightsEntry* lights = nullptr;  ///< null: AllLights
+  Knobs knobs;                          ///< of all three together
   rhi::Extent2D size;
   uint32_t seed = 0;
   EffectSet forced;  ///< tests only, see makePlan
@@ -62,7 +63,8 @@ class Renderer {
   LookupReach reach(uint32_t light) const;
   /// Why visibility does not depend on the seed, or "".
   std::string whyNotRandom() const;
-  /// readVisibility where the truth's camera stands, drawn with a seed. Call after everything timed.
+  /// readVisibility where the truth's camera stands, drawn with a seed. Call after everything
+  /// timed.
   std::vector<VisibilityImage> visibilityAtEnd(uint32_t light, uint32_t seed);
   /// Frames from now on draw other random numbers. Call between frames.
   void setSeed(uint32_t seed);
@@ -85,6 +87,7 @@ class Renderer {
   Plan m_plan;
   std::unique_ptr<SceneView> m_view;
   std::unique_ptr<ShadowTechnique> m_technique;
+  std::unique_ptr<LightTechnique> m_lights;
   std::unique_ptr<CameraPass> m_camera;
   std::unique_ptr<VisibilityBuffer> m_visibility;
   FrameRunner m_runner;

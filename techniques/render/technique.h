@@ -1,6 +1,7 @@
-// What a technique is. Two kinds of plug-in answer two questions:
+// What a technique is. Three kinds of plug-in answer three questions:
 //   ShadowTechnique        which fraction of a light's RGB radiance arrives at a receiver
 //   TransparencyTechnique  in which order translucent surfaces meet the camera
+//   LightTechnique         which lights may reach a point in view
 // Each is one .cpp with a REGISTER_ line at its end and one folder of shaders; nothing else in the
 // program names it.
 #pragma once
@@ -35,7 +36,7 @@ struct TechniqueInfo {
   /// What a device must have besides where the scene calls for an effect.
   std::map<Effect, rhi::Feature> requiresFor;
   std::vector<KnobInfo> knobs;
-  std::string error;   ///< what its error is by construction (spec 16's table)
+  std::string error;  ///< what its error is by construction (spec 16's table)
   bool stochastic = false;
   /// Hard cases (suites/stability) that it does not pass by construction, and why: by id, or by
   /// "id knob:value" for one variant.
@@ -45,6 +46,25 @@ struct TechniqueInfo {
   std::function<bool(const Knobs&)> drawsInParts;
   /// Transparency techniques: with these knobs parts can be drawn one after another. Null: never.
   std::function<bool(const Knobs&)> drawsParts;
+  /// Shadow techniques that answer in screen space, for one layer of receivers at a time:
+  /// recordReceivers is called for each layer that is shaded.
+  bool receiversByLayer = false;
+  /// Transparency techniques that shade layer by layer, each with its depth known beforehand
+  /// (CameraPass::layerPass). With others, translucent surfaces show no shadow of a technique that
+  /// answers by layers: Effect::TranslucentReceivers is unrepresented.
+  bool handsOutLayers = false;
+};
+
+/// What a pair represents together.
+EffectSet representedBy(const TechniqueInfo& technique, const TechniqueInfo& transparency);
+
+/// Receivers of which a pixel holds one at most.
+struct ReceiverLayer {
+  /// D32FloatS8, as large as the picture: the depth of its surfaces (1 near .. 0 far), 0 where
+  /// there is none. Read only; the stencil holds nothing, and is the technique's until it returns.
+  rhi::TextureId depth;
+  /// 0: the first opaque surface; 1, 2, ..: from the eye.
+  uint32_t index = 0;
 };
 
 /// What the shaders that ask `lightVisibility` need from the technique.
@@ -67,6 +87,9 @@ class ShadowTechnique {
   virtual void cameraMoved(Frame&) {}
   /// Records the passes before the camera's (none when the plan calls for none).
   virtual void record(Frame& frame) = 0;
+  /// Records the passes that answer for one layer of receivers; its surfaces ask next. After
+  /// `record`, and only with TechniqueInfo::receiversByLayer.
+  virtual void recordReceivers(Frame&, const ReceiverLayer&) {}
   virtual VisibilityInputs inputs() const = 0;
   /// Groups of translucent instances that need maps of their own, in the order of drawing; empty
   /// when the maps of `record` serve every receiver. Only with TechniqueInfo::drawsInParts.
@@ -95,6 +118,24 @@ class TransparencyTechnique {
   /// What the last frame left out (lists that overflowed, layers beyond the last one): for people,
   /// one line each. Called between frames.
   virtual std::vector<std::string> warnings() { return {}; }
+};
+
+/// A loop over the lights that may reach a point: a superset of those that do. It changes what a
+/// picture costs, never the picture. Shaders: FOLDER/lights.glsl defines
+///   struct LightLoop { uint light; ... };     the light at hand, an index into lights[]
+///   LightLoop beginLights(Receiver r)
+///   bool nextLight(inout LightLoop loop)      goes to the next; false: there is none
+class LightTechnique {
+ public:
+  virtual ~LightTechnique() = default;
+  /// Runs once, outside timed regions.
+  virtual void prepare(const Context&) {}
+  /// See ShadowTechnique.
+  virtual void cameraMoved(Frame&) {}
+  /// Records what the loop reads; before any surface is shaded.
+  virtual void record(Frame&) {}
+  /// Constants: ids 48..63.
+  virtual VisibilityInputs inputs() const { return {}; }
 };
 
 }  // namespace sb

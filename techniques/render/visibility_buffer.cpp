@@ -38,13 +38,33 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
                                 .size = 16,
                                 .use = rhi::BufferUse::Uniform | rhi::BufferUse::CopyTarget});
   m_sampler = device.createSampler({.label = "visibility sampler", .filter = rhi::Filter::Nearest});
-  rhi::GraphicsPipelineDesc desc = camera.surfacePipeline(
-      "visibility",
-      context.view.gpu().coplanar().empty() ? "visibility.frag" : "visibility_coplanar.frag", false);
-  desc.targets = {{.format = rhi::Format::RGBA32Float}};
-  m_doubleSided = context.pipelines.get(desc);
-  desc.raster.cull = rhi::CullMode::Back;
-  m_singleSided = context.pipelines.get(desc);
+  const auto answer = [&](CameraPass::Receivers receivers) {
+    const char* pass = camera.coplanar() ? "/visibility_coplanar.frag" : "/visibility.frag";
+    rhi::GraphicsPipelineDesc desc =
+        camera.surfacePipeline("visibility", camera.folder(receivers) + pass, false);
+    desc.targets = {{.format = rhi::Format::RGBA32Float}};
+    desc.depthFormat = rhi::Format::D32Float;
+    return desc;
+  };
+  m_answer =
+      pipelines(answer(CameraPass::Receivers::Opaque), answer(CameraPass::Receivers::Translucent));
+  if (!camera.byLayer()) return;
+  m_receiverDepth = texture("visibility receivers", camera.depthFormat(), U::DepthTarget);
+  rhi::GraphicsPipelineDesc depth = camera.unshadedPipeline(
+      camera.coplanar() ? "common/visibility_depth_coplanar.frag" : "common/visibility_depth.frag");
+  depth.depth = {.test = true, .write = true, .compare = CameraPass::kNearer};
+  depth.depthFormat = camera.depthFormat();
+  m_depthOnly = pipelines(depth, depth);
+}
+
+VisibilityBuffer::Pipelines VisibilityBuffer::pipelines(
+    rhi::GraphicsPipelineDesc opaque, rhi::GraphicsPipelineDesc translucent) const {
+  Pipelines made;
+  made.doubleSided = m_context.pipelines.get(opaque);
+  opaque.raster.cull = rhi::CullMode::Back;
+  made.singleSided = m_context.pipelines.get(opaque);
+  made.translucent = m_context.pipelines.get(translucent);
+  return made;
 }
 
 std::vector<VisibilityImage> VisibilityBuffer::render(ViewLight light) {
@@ -74,44 +94,72 @@ VisibilityImage VisibilityBuffer::renderLayer(ViewLight light, uint32_t layer) {
       rhi::textureAt(TEXTURE_TRANSPARENCY, layer > 0 ? m_opaqueDepth.id() : unread, m_sampler));
   DrawList draws = m_camera.drawListWith(extra);
 
-  std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
-  if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
-  if (layer > 1) reads.push_back(rhi::use(previous, rhi::Access::Sampled));
-  rhi::FrameScope frame(m_context.device);
-  rhi::CommandList& commands = frame.commands();
-  commands.write(m_pass, 0, std::as_bytes(std::span(ids)));
-  recordLayer(commands, layer, draws, reads);
-  frame.endAndWait();
+  rhi::FrameScope scope(m_context.device);
+  scope.commands().write(m_pass, 0, std::as_bytes(std::span(ids)));
+  Frame frame(scope.commands(), m_queries, FrameMode::Plain);
+  recordLayer(frame, layer, draws);
+  scope.endAndWait();
   const auto bytes = m_context.device.read(m_target);
   VisibilityImage image(bytes.size() / sizeof(float));
   std::memcpy(image.data(), bytes.data(), bytes.size());
   return image;
 }
 
-void VisibilityBuffer::recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
-                                   std::span<const rhi::ResourceUse> reads) {
+std::vector<rhi::ResourceUse> VisibilityBuffer::depthReads(uint32_t layer) const {
+  std::vector<rhi::ResourceUse> reads;
+  if (layer > 0) reads.push_back(rhi::use(m_opaqueDepth.id(), rhi::Access::Sampled));
+  if (layer > 1)
+    reads.push_back(rhi::use(m_layerDepth[(layer + 1) % 2].id(), rhi::Access::Sampled));
+  return reads;
+}
+
+void VisibilityBuffer::recordLayer(Frame& frame, uint32_t layer, DrawList& draws) {
+  m_camera.recordLayer(
+      frame, {.depth = m_receiverDepth, .index = layer}, [&] { recordDepth(frame, layer, draws); },
+      [&] { recordAnswer(frame, layer, draws); });
+}
+
+void VisibilityBuffer::recordDepth(Frame& frame, uint32_t layer, DrawList& draws) {
+  const auto reads = depthReads(layer);
+  frame.pass({.label = "receivers",
+              .depth = rhi::DepthAttachment{.view = {.texture = m_receiverDepth},
+                                            .clearDepth = CameraPass::kFarDepth},
+              .reads = reads},
+             PassGroup::Shadow, [&](rhi::CommandList& commands) {
+               m_camera.opaque().drawWith(commands, draws, m_depthOnly.singleSided,
+                                          m_depthOnly.doubleSided);
+               if (layer > 0) draws.draw(commands, m_depthOnly.translucent, m_camera.translucent());
+             });
+}
+
+void VisibilityBuffer::recordAnswer(Frame& frame, uint32_t layer, DrawList& draws) {
   const rhi::TextureId depth = layer == 0 ? m_opaqueDepth.id() : m_layerDepth[layer % 2].id();
-  const auto pass = [&](rhi::LoadOp load, const auto& body) {
+  std::vector<rhi::ResourceUse> reads = m_camera.inputs().reads;
+  for (const rhi::ResourceUse& use : depthReads(layer)) reads.push_back(use);
+  const auto pass = [&](rhi::LoadOp load, const std::function<void(rhi::CommandList&)>& body) {
     const rhi::ColorAttachment color{.view = {.texture = m_target}, .load = load};
-    rhi::PassScope scope =
-        commands.beginPass({.label = "visibility",
-                            .colors = std::span(&color, 1),
-                            .depth = rhi::DepthAttachment{.view = {.texture = depth}, .load = load},
-                            .reads = reads});
-    body();
+    frame.pass({.label = "visibility",
+                .colors = std::span(&color, 1),
+                .depth = rhi::DepthAttachment{.view = {.texture = depth},
+                                              .load = load,
+                                              .clearDepth = CameraPass::kFarDepth},
+                .reads = reads},
+               PassGroup::Scene, body);
   };
   const auto translucent = [&](std::span<const uint32_t> instances) {
-    pass(rhi::LoadOp::Load, [&] { draws.draw(commands, m_doubleSided, instances); });
+    pass(rhi::LoadOp::Load, [&](rhi::CommandList& commands) {
+      draws.draw(commands, m_answer.translucent, instances);
+    });
   };
   SurfaceDraws surfaces{.opaque = [&] {
-    pass(rhi::LoadOp::Clear,
-         [&] { m_camera.drawOpaque(commands, draws, m_singleSided, m_doubleSided); });
+    pass(rhi::LoadOp::Clear, [&](rhi::CommandList& commands) {
+      m_camera.opaque().drawWith(commands, draws, m_answer.singleSided, m_answer.doubleSided);
+    });
   }};
   if (layer > 0) {
     surfaces.translucent = [&] { translucent(m_camera.translucent()); };
     surfaces.translucentPart = translucent;
   }
-  Frame frame(commands, m_queries, FrameMode::Plain);
   recordInOrder(frame, m_technique, surfaces, Maps::Stand);
 }
 

@@ -25,17 +25,26 @@ class VisibilityBuffer {
 
  private:
   VisibilityImage renderLayer(ViewLight light, uint32_t layer);
-  void recordLayer(rhi::CommandList& commands, uint32_t layer, DrawList& draws,
-                   std::span<const rhi::ResourceUse> reads);
+  /// What a layer is found by: the depths of the opaque surface and of the layer before.
+  std::vector<rhi::ResourceUse> depthReads(uint32_t layer) const;
+  void recordLayer(Frame& frame, uint32_t layer, DrawList& draws);
+  void recordDepth(Frame& frame, uint32_t layer, DrawList& draws);
+  void recordAnswer(Frame& frame, uint32_t layer, DrawList& draws);
 
   const Context m_context;
   const CameraPass& m_camera;
   ShadowTechnique* m_technique;
   FrameQueries& m_queries;
   rhi::Texture m_target, m_opaqueDepth, m_layerDepth[2];
+  rhi::Texture m_receiverDepth;  ///< only where the technique answers by layers
   rhi::Buffer m_pass;
   rhi::Sampler m_sampler;
-  rhi::PipelineId m_singleSided, m_doubleSided;
+  struct Pipelines {
+    rhi::PipelineId singleSided, doubleSided, translucent;
+  };
+  Pipelines pipelines(rhi::GraphicsPipelineDesc opaque,
+                      rhi::GraphicsPipelineDesc translucent) const;
+  Pipelines m_answer, m_depthOnly;
 };
 
 }  // namespace sb

@@ -1,64 +1,15 @@
 #include "techniques/scene/concave_sides.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <numeric>
-#include <unordered_map>
+
+#include "techniques/scene/mesh_edges.h"
 
 namespace sb {
 namespace {
 
 /// Half-ulps of the largest coordinate that the height of a corner over a plane may be wrong by.
 constexpr double kRounding = 8 * 0x1p-24;
-
-struct PositionHash {
-  size_t operator()(const std::array<uint32_t, 3>& p) const {
-    uint64_t h = 0;
-    for (const uint32_t bits : p) h = (h ^ bits) * 0x9E3779B97F4A7C15ull, h ^= h >> 29;
-    return size_t(h);
-  }
-};
-
-/// The first vertex at the position of each.
-std::vector<uint32_t> welded(const std::vector<glm::vec3>& positions) {
-  std::unordered_map<std::array<uint32_t, 3>, uint32_t, PositionHash> first;
-  first.reserve(positions.size());
-  std::vector<uint32_t> out(positions.size());
-  for (uint32_t i = 0; i < positions.size(); ++i) {
-    const glm::vec3 p = positions[i] + 0.0f;  // -0 is 0
-    std::array<uint32_t, 3> bits;
-    std::memcpy(bits.data(), &p, sizeof bits);
-    out[i] = first.try_emplace(bits, i).first->second;
-  }
-  return out;
-}
-
-/// An edge as one of its triangles has it.
-struct Edge {
-  uint32_t low, high;  ///< welded vertices
-  uint32_t triangle;
-  uint32_t opposite;  ///< the triangle's third corner
-  bool forward;       ///< the triangle goes from low to high
-};
-
-std::vector<Edge> edgesOf(const Mesh& mesh) {
-  const std::vector<uint32_t> weld = welded(mesh.positions);
-  std::vector<Edge> edges;
-  edges.reserve(mesh.indices.size());
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t c = 0; c < 3; ++c) {
-      const uint32_t a = weld[mesh.indices[3 * t + c]];
-      const uint32_t b = weld[mesh.indices[3 * t + (c + 1) % 3]];
-      if (a != b)
-        edges.push_back(
-            {std::min(a, b), std::max(a, b), t, weld[mesh.indices[3 * t + (c + 2) % 3]], a < b});
-    }
-  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-  });
-  return edges;
-}
 
 /// Sides of triangles, those that go on in one plane united: node 2 t is the front of triangle t.
 class Sides {
@@ -98,7 +49,7 @@ class Finder {
   }
 
   ConcaveSides find() {
-    const std::vector<Edge> edges = edgesOf(m_mesh);
+    const std::vector<EdgeSide> edges = edgeSides(m_mesh);
     bool closed = !edges.empty();
     for (size_t first = 0, end = 0; first < edges.size(); first = end) {
       while (end < edges.size() && edges[end].low == edges[first].low &&
@@ -124,7 +75,7 @@ class Finder {
     return glm::cross(at(i[1]) - at(i[0]), at(i[2]) - at(i[0]));
   }
 
-  void meet(const Edge& a, const Edge& b) {
+  void meet(const EdgeSide& a, const EdgeSide& b) {
     const glm::dvec3 n = normal(a.triangle), m = normal(b.triangle);
     const double length = glm::length(n);
     if (!(length > 0) || !(glm::length(m) > 0)) return;

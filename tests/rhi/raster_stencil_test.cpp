@@ -96,3 +96,81 @@ GPU_TEST(RasterStencil, ReferenceMasksAndFailure) {
   EXPECT_EQ(got[at(1, 1)], 0xB5) << "equal in the masked bits: replaced within the write mask";
   EXPECT_EQ(got[at(6, 1)], 0xF5) << "unequal: inverted within the write mask";
 }
+
+GPU_TEST(RasterStencil, StencilIsClearedAndWrittenWhileDepthIsReadAndSampled) {
+  // Light after light of a shadow volume technique: depth stays and is sampled, stencil starts
+  // anew.
+  const rhi::Format format = rhi::Format::D32FloatS8;
+  if (!device().formatCaps(format).depthTarget) GTEST_SKIP();
+  const rhi::Texture depth = makeTarget(device(), format);
+  const rhi::Texture target = makeTarget(device(), rhi::Format::RGBA32Float);
+  const rhi::Pipeline fill = makePipeline(device(), [&](rhi::GraphicsPipelineDesc& d) {
+    d.fragment = nullptr;
+    d.targets.clear();
+    d.depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less};
+    d.depthFormat = format;
+  });
+  render(device(),
+         {.label = "depth", .depth = rhi::DepthAttachment{.view = {depth.id()}, .clearStencil = 9}},
+         {{fill, quad(0, 0, 4, 8, 0.25f)}});
+  const rhi::Sampler sampler =
+      device().createSampler({.label = "nearest", .filter = rhi::Filter::Nearest});
+  const rhi::StencilFace count = {.pass = rhi::StencilOp::IncrementWrap};
+  const rhi::Pipeline pipeline = makePipeline(device(), [&](auto& d) {
+    d.fragment = &testShaders().get("raster/sample_depth.frag");
+    d.depth = {.test = true, .write = false, .compare = rhi::CompareOp::Less};
+    d.stencil = {.test = true, .front = count, .back = count};
+    d.depthFormat = format;
+  });
+  const rhi::ResourceUse read = rhi::use(depth.id(), rhi::Access::Sampled);
+  const rhi::Binding bindings[] = {rhi::textureAt(0, depth.id(), sampler)};
+  for (const uint8_t start : {uint8_t(3), uint8_t(5)}) {
+    const rhi::ColorAttachment color = {.view = {target.id()}};
+    render(device(),
+           {.label = "light",
+            .colors = {&color, 1},
+            .depth = rhi::DepthAttachment{.view = {depth.id()},
+                                          .load = rhi::LoadOp::Load,
+                                          .readOnly = true,
+                                          .clearStencil = start},
+            .reads = {&read, 1}},
+           {{pipeline, quad(0, 0, 8, 4, 0.125f), {.bindings = bindings}},
+            {pipeline, quad(0, 4, 8, 8, 0.5f), {.bindings = bindings}}});
+    const auto stencil = stencilOf(device(), depth);
+    EXPECT_EQ(stencil[at(1, 1)], start + 1);
+    EXPECT_EQ(stencil[at(1, 6)], start) << "hidden behind 0.25";
+    EXPECT_EQ(stencil[at(6, 6)], start + 1);
+    EXPECT_EQ(texels<float>(device(), depth)[at(1, 1)], 0.25f) << "left as it was";
+    EXPECT_EQ(texels<Color>(device(), target)[at(1, 1)][0], 0.25f);
+  }
+}
+
+GPU_TEST(RasterStencil, DepthIsClearedAndWrittenWhileStencilIsKept) {
+  const rhi::Format format = rhi::Format::D32FloatS8;
+  if (!device().formatCaps(format).depthTarget) GTEST_SKIP();
+  const rhi::Texture depth = makeTarget(device(), format);
+  const rhi::StencilFace equal = {.compare = rhi::CompareOp::Equal};
+  const auto pipelineOf = [&](const rhi::StencilFace& face) {
+    return makePipeline(device(), [&](rhi::GraphicsPipelineDesc& d) {
+      d.fragment = nullptr;
+      d.targets.clear();
+      d.depth = {.test = true, .write = true, .compare = rhi::CompareOp::Less};
+      d.stencil = {.test = true, .front = face, .back = face};
+      d.depthFormat = format;
+    });
+  };
+  const rhi::Pipeline mark = pipelineOf({.pass = rhi::StencilOp::Replace});
+  const rhi::Pipeline inside = pipelineOf(equal);
+  render(device(), {.label = "mark", .depth = rhi::DepthAttachment{.view = {depth.id()}}},
+         {{mark, quad(0, 0, 4, 8, 0.25f), {.stencilReference = 7}}});
+  render(device(),
+         {.label = "inside",
+          .depth =
+              rhi::DepthAttachment{
+                  .view = {depth.id()}, .stencilLoad = rhi::LoadOp::Load, .stencilReadOnly = true}},
+         {{inside, quad(0, 0, 8, 8, 0.75f), {.stencilReference = 7}}});
+  EXPECT_EQ(stencilOf(device(), depth)[at(1, 1)], 7);
+  const auto depths = texels<float>(device(), depth);
+  EXPECT_EQ(depths[at(1, 1)], 0.75f);
+  EXPECT_EQ(depths[at(6, 1)], 1.0f) << "stencil is 0 there";
+}

@@ -118,6 +118,29 @@ TEST_F(PassRules, ReadOnlyDepth) {
   expectOnly("read-only-depth", "load");
 }
 
+TEST_F(PassRules, StencilHasRulesOfItsOwn) {
+  const rhi::Texture both = texture("both", rhi::Format::D32FloatS8,
+                                    TextureUse::DepthTarget | TextureUse::Sampled);
+  const rhi::DepthAttachment clear{.view = {both.id()}};
+  const rhi::ResourceUse read = rhi::use(both.id(), Access::Sampled);
+  pass({.label = "clear", .depth = clear});
+  // Depth is read, while stencil is cleared and written.
+  pass({.label = "light",
+        .depth = rhi::DepthAttachment{
+            .view = {both.id()}, .load = rhi::LoadOp::Load, .readOnly = true},
+        .reads = {&read, 1}});
+  expectClean();
+  pass({.label = "p",
+        .depth = rhi::DepthAttachment{.view = {both.id()}, .stencilReadOnly = true}});
+  expectOnly("read-only-depth", "stencilLoad");
+  pass({.label = "lost",
+        .depth = rhi::DepthAttachment{.view = {both.id()}, .stencilStore = rhi::StoreOp::DontCare}});
+  expectClean();
+  pass({.label = "p",
+        .depth = rhi::DepthAttachment{.view = {both.id()}, .stencilLoad = rhi::LoadOp::Load}});
+  expectOnly("load-never-written", "stencil");
+}
+
 TEST_F(PassRules, AttachmentFeedback) {
   const rhi::ColorAttachment color = {.view = {m_color.id()}};
   pass({.label = "p", .colors = {&color, 1}});

@@ -7,7 +7,6 @@
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/scene_edit.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {
@@ -124,23 +123,6 @@ TEST_F(GltfChoices, AGroundReceivesAndIsSeen) {
     EXPECT_LT(glm::length(ground.corner(i) - scene.camera().eye()), scene.camera().farPlane);
   EXPECT_NE(scene.instances[0].key, scene.instances[1].key);
   EXPECT_NE(scene.meshes[0].key, scene.meshes[1].key);
-}
-
-TEST_F(GltfChoices, AGroundLiesAsFarBelowAsTheCamerasDepthCanTell) {
-  Scene scene = make(triangleFile(), "");
-  const Bounds box = sceneBox(scene);
-  scene.cameras.resize(1);
-  scene.cameras[0].orthographic = false;
-  // 1 - n / z in 32-bit floats has steps of 2^-24: of z^2 / n 2^-24 at z.
-  for (const double distance : {2.0, 5.0}) {
-    scene.cameras[0] = lookAt(box.center() + glm::dvec3(0, 0, distance), box.center());
-    scene.cameras[0].nearPlane = 4e-4;
-    Scene grounded = scene;
-    addGround(grounded, 4);
-    const double gap = box.low.y - grounded.instances.back().toWorld[3].y;
-    EXPECT_GT(gap, 2 * distance * distance / 4e-4 * 0x1p-24) << distance;
-    EXPECT_LE(gap, 0.02 * box.radius()) << distance;
-  }
 }
 
 TEST_F(GltfChoices, DaylightForFilesWithoutLight) {

@@ -6,6 +6,9 @@
 namespace shadowbench_shader_blob {
 void addTo(rhi::ShaderLibrary& library);
 }
+namespace test_shaders {
+void addTo(rhi::ShaderLibrary& library);
+}
 
 namespace sb::test {
 namespace {
@@ -40,9 +43,11 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
 
 RendererDesc descOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
-  if (options.technique != "none") given.try_emplace("size", "256");
-  RendererDesc desc = rendererDesc(options.technique, options.transparency, given, options.size,
-                                   options.seed);
+  const std::string technique = options.entry ? "none" : options.technique;
+  if (technique != "none") given.try_emplace("size", "256");
+  RendererDesc desc =
+      rendererDesc(technique, options.transparency, given, options.size, options.seed);
+  if (options.entry) desc.technique = options.entry;
   desc.forced = options.forced;
   return desc;
 }
@@ -53,6 +58,7 @@ const rhi::ShaderLibrary& productionShaders() {
   static const rhi::ShaderLibrary library = [] {
     rhi::ShaderLibrary lib;
     shadowbench_shader_blob::addTo(lib);
+    test_shaders::addTo(lib);  // of techniques that only tests know
     return lib;
   }();
   return library;

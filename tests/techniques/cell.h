@@ -11,7 +11,7 @@
 
 namespace sb::test {
 
-/// The program's own shaders.
+/// The program's own shaders, and those of techniques that only tests know.
 const rhi::ShaderLibrary& productionShaders();
 
 /// Pipelines and queries of a device.
@@ -30,6 +30,8 @@ struct CellOptions {
   uint32_t seed = 0;
   EffectSet forced = {};
   std::string transparency = "Sorted";
+  /// In place of `technique`: one that is not registered.
+  const ShadowEntry* entry = nullptr;
 };
 
 /// For a light: the first that touches the view.

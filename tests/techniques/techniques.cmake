@@ -7,14 +7,18 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cssm1_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_expectation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/edge_buffers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/filter_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/generic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/identity_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/layer_probe.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/light_loop_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/local_lights_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stochastic_shadow_map_test.cpp
@@ -29,6 +33,7 @@ target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/edge_mesh_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp

@@ -18,13 +18,13 @@ CellOptions stochastic(const char* samples, const char* mode, rhi::Extent2D size
 }
 
 /// Mean colour over the picture and over `seeds` frames, and the variance of a channel of a pixel.
-struct Moments {
+struct OverSeeds {
   glm::dvec3 mean{0}, variance{0};
   double count = 0;
 };
 
-Moments momentsOf(Cell& cell, uint32_t seeds) {
-  Moments m;
+OverSeeds overSeeds(Cell& cell, uint32_t seeds) {
+  OverSeeds m;
   glm::dvec3 squares(0);
   for (uint32_t seed = 1; seed <= seeds; ++seed) {
     cell.renderer().setSeed(seed);
@@ -89,7 +89,7 @@ GPU_TEST(StochasticTransparency, BasicIsRightInExpectation) {
     for (const auto& list : cases) {
       SCOPED_TRACE(std::string(samples) + " samples, layers " + std::to_string(list.size()));
       Cell cell(cellDevice(device()), stack(list, background), stochastic(samples, "basic"));
-      const Moments m = momentsOf(cell, 48);
+      const OverSeeds m = overSeeds(cell, 48);
       const glm::vec3 exact = composed(list, background);
       for (int c = 0; c < 3; ++c)
         EXPECT_LE(std::abs(m.mean[c] - double(exact[c])),
@@ -112,7 +112,7 @@ GPU_TEST(StochasticTransparency, CorrectedIsExactForOneLayerAndLessNoisy) {
     const auto list = panes(4, 0.4f);
     Cell basic(cellDevice(device()), stack(list, background), stochastic(samples, "basic"));
     Cell corrected(cellDevice(device()), stack(list, background), stochastic(samples, "corrected"));
-    const Moments a = momentsOf(basic, 8), b = momentsOf(corrected, 8);
+    const OverSeeds a = overSeeds(basic, 8), b = overSeeds(corrected, 8);
     EXPECT_LT(b.variance[0] + b.variance[1] + b.variance[2],
               0.5 * (a.variance[0] + a.variance[1] + a.variance[2]));
     // Biased: by as much as the estimate is in expectation.

@@ -58,8 +58,11 @@ void pipelineAttachments(const DrawCheck& c, const Emit& emit) {
 }
 
 void depthReadOnly(const DrawCheck& c, const Emit& emit) {
-  if (c.pipeline && c.draw && c.pass->depth && c.pass->depth->readOnly && c.pipeline->writesDepth)
-    emit(c.where() + "the pipeline writes depth or stencil, which the pass attaches read-only");
+  if (!c.pipeline || !c.draw || !c.pass->depth) return;
+  if (c.pass->depth->readOnly && c.pipeline->writesDepth)
+    emit(c.where() + "the pipeline writes depth, which the pass attaches read-only");
+  if (c.pass->depth->stencilReadOnly && c.pipeline->writesStencil)
+    emit(c.where() + "the pipeline writes stencil, which the pass attaches read-only");
 }
 
 uint64_t formatBytes(VertexFormat format) {

@@ -152,12 +152,26 @@ void loadNeverWritten(const PassCheck& c, const Emit& emit) {
   };
   for (size_t i = 0; i < c.pass.colors.size(); ++i)
     check(c.pass.colors[i].view, c.pass.colors[i].load, "colors[" + std::to_string(i) + "]");
-  if (c.pass.depth) check(c.pass.depth->view, c.pass.depth->load, "depth");
+  if (!c.pass.depth) return;
+  check(c.pass.depth->view, c.pass.depth->load, "depth");
+  const TextureInfo* texture = c.state.find(c.pass.depth->view.texture);
+  if (!texture || !formatInfo(texture->desc.format).stencil ||
+      c.pass.depth->stencilLoad != LoadOp::Load ||
+      !texture->contains(texture->range(c.pass.depth->view)))
+    return;
+  bool written = false;
+  texture->each(texture->range(c.pass.depth->view),
+                [&](const Content& content) { written |= content.stencil; });
+  if (!written)
+    emit(in(c) + "depth loads the stencil of " + describe(c.state, c.pass.depth->view.texture) +
+         ", which nothing has written");
 }
 
 void readOnlyDepth(const PassCheck& c, const Emit& emit) {
   if (c.pass.depth && c.pass.depth->readOnly && c.pass.depth->load != LoadOp::Load)
     emit(in(c) + "depth is read-only, so `load` must be LoadOp::Load");
+  if (c.pass.depth && c.pass.depth->stencilReadOnly && c.pass.depth->stencilLoad != LoadOp::Load)
+    emit(in(c) + "stencil is read-only, so `stencilLoad` must be LoadOp::Load");
 }
 
 void attachmentFeedback(const PassCheck& c, const Emit& emit) {

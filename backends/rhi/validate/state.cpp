@@ -11,11 +11,25 @@ auto lookUp(const Map& map, uint32_t id) -> decltype(&map.begin()->second) {
   return it == map.end() ? nullptr : &it->second;
 }
 
-void mark(State& state, const TextureView& view, const Content& content) {
+template <class F>
+void change(State& state, const TextureView& view, F&& visit) {
   auto it = state.textures.find(view.texture.value);
   if (it == state.textures.end()) return;
   const Range range = it->second.range(view);
-  if (it->second.contains(range)) it->second.each(range, [&](Content& c) { c = content; });
+  if (it->second.contains(range)) it->second.each(range, visit);
+}
+
+void mark(State& state, const TextureView& view, const Content& content) {
+  change(state, view, [&](Content& c) { c = content; });
+}
+
+void markDepth(State& state, const DepthAttachment& depth, const std::string& pass) {
+  change(state, depth.view, [&](Content& c) {
+    const bool stencil = depth.stencilReadOnly ? c.stencil : depth.stencilStore == StoreOp::Store;
+    if (!depth.readOnly)
+      c = {.written = depth.store == StoreOp::Store, .byPass = true, .writer = pass};
+    c.stencil = stencil;
+  });
 }
 
 }  // namespace
@@ -59,14 +73,13 @@ std::string describe(const State& state, TextureId id) {
 
 void applyPass(State& state) {
   const ActivePass& pass = *state.pass;
-  const Content stored = {true, true, pass.label};
-  const Content lost = {false, true, pass.label};
+  const Content stored = {.written = true, .byPass = true, .writer = pass.label};
+  const Content lost = {.written = false, .byPass = true, .writer = pass.label};
   for (const ColorAttachment& color : pass.colors) {
     mark(state, color.view, color.store == StoreOp::Store ? stored : lost);
     if (color.resolve) mark(state, *color.resolve, stored);
   }
-  if (pass.depth && !pass.depth->readOnly)
-    mark(state, pass.depth->view, pass.depth->store == StoreOp::Store ? stored : lost);
+  if (pass.depth) markDepth(state, *pass.depth, pass.label);
   for (const ResourceUse& use : pass.writes) {
     if (use.buffer) {
       auto it = state.buffers.find(use.buffer.value);
@@ -79,11 +92,11 @@ void applyPass(State& state) {
 
 void markTransferred(State& state, BufferId id) {
   auto it = state.buffers.find(id.value);
-  if (it != state.buffers.end()) it->second.content = {true, false, ""};
+  if (it != state.buffers.end()) it->second.content = {.written = true};
 }
 
 void markTransferred(State& state, const TextureView& view) {
-  mark(state, view, {true, false, ""});
+  mark(state, view, {.written = true, .stencil = true});
 }
 
 }  // namespace rhi::validate

@@ -15,6 +15,7 @@ struct Content {
   bool written = false;  ///< holds something
   bool byPass = false;   ///< changed by a pass since the last transfer: must be declared
   std::string writer;    ///< label of that pass
+  bool stencil = false;  ///< of a texture: its stencil holds something; the others speak of depth
 };
 
 struct BufferInfo {
@@ -52,7 +53,8 @@ struct PipelineInfo {
   std::vector<ShaderResource> resources;  ///< of all stages, merged by slot
   std::vector<Format> targets;
   Format depthFormat = Format::Undefined;
-  bool writesDepth = false;  ///< or stencil
+  bool writesDepth = false;
+  bool writesStencil = false;
   uint32_t samples = 1;
   std::vector<VertexBufferLayout> vertexBuffers;
   std::vector<VertexAttribute> attributes;

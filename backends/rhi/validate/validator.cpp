@@ -22,13 +22,12 @@ void merge(std::vector<ShaderResource>& into, const ShaderCode* stage) {
   }
 }
 
-bool writes(const GraphicsPipelineDesc& desc) {
+bool writesStencil(const GraphicsPipelineDesc& desc) {
   auto keeps = [](const StencilFace& f) {
     return f.fail == StencilOp::Keep && f.depthFail == StencilOp::Keep && f.pass == StencilOp::Keep;
   };
-  const bool stencil = desc.stencil.test && desc.stencil.writeMask != 0 &&
-                       !(keeps(desc.stencil.front) && keeps(desc.stencil.back));
-  return (desc.depth.test && desc.depth.write) || stencil;
+  return desc.stencil.test && desc.stencil.writeMask != 0 &&
+         !(keeps(desc.stencil.front) && keeps(desc.stencil.back));
 }
 
 }  // namespace
@@ -62,7 +61,8 @@ void Validator::created(QueryPoolId id, const QueryPoolDesc& desc) {
 void Validator::created(PipelineId id, const GraphicsPipelineDesc& desc) {
   PipelineInfo info = {.label = desc.label,
                        .depthFormat = desc.depthFormat,
-                       .writesDepth = writes(desc),
+                       .writesDepth = desc.depth.test && desc.depth.write,
+                       .writesStencil = writesStencil(desc),
                        .samples = desc.samples,
                        .vertexBuffers = desc.vertexBuffers,
                        .attributes = desc.attributes};

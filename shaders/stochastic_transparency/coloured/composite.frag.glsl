@@ -17,7 +17,7 @@ void main() {
   vec3 light = texelFetch(t_light, pixel, 0).rgb;
   vec3 through;
   if (kBasic) {
-    through = visibleFrom(2.0);
+    through = visibleFrom(-1.0);
   } else {
     through = texelFetch(t_transmittance, pixel, 0).rgb;
     vec3 hides = texelFetch(t_hides, pixel, 0).rgb;

@@ -1,6 +1,6 @@
 #version 450
 // Stochastic depths by channel (RGB) and sample (target): the nearest fragment that keeps the sample
-// in that channel, by MIN blending. A fragment keeps as large a share of samples as it hides of a
+// in that channel, by MAX blending. A fragment keeps as large a share of samples as it hides of a
 // channel, and the same numbers serve all channels: grey layers give no colour noise.
 #include "common/options.glsl"
 #include "common/scene.glsl"
@@ -18,8 +18,8 @@ layout(location = 2) out vec4 o_depth2;
 layout(location = 3) out vec4 o_depth3;
 
 vec4 depthsOf(float depth, uvec3 kept, uint s) {
-  // 2 lies behind everything.
-  return vec4(mix(vec3(2), vec3(depth), notEqual(kept & (1u << s), uvec3(0))), 2);
+  // -1 lies behind everything.
+  return vec4(mix(vec3(-1), vec3(depth), notEqual(kept & (1u << s), uvec3(0))), -1);
 }
 
 void main() {

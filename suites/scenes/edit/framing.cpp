@@ -89,16 +89,6 @@ void addDaylight(Scene& scene) {
   if (scene.sky == glm::vec3(0)) scene.sky = glm::vec3(0.2f);
 }
 
-namespace {
-
-/// What a camera's depth tells apart at a distance: standard depth in 32-bit floats, four steps.
-double depthStep(const Camera& camera, double distance) {
-  if (camera.orthographic || camera.nearPlane <= 0) return 0;
-  return 4 * 0x1p-24 * distance * distance / camera.nearPlane;
-}
-
-}  // namespace
-
 void addGround(Scene& scene, double size) {
   const Bounds box = sceneBox(scene);
   const double radius = box.empty() || box.radius() == 0 ? 1.0 : box.radius();
@@ -120,15 +110,10 @@ void addGround(Scene& scene, double size) {
   Instance instance{.name = "ground", .mesh = uint32_t(scene.meshes.size())};
   for (const Mesh& m : scene.meshes) mesh.key = std::max(mesh.key, m.key + 1);
   for (const Instance& i : scene.instances) instance.key = std::max(instance.key, i.key + 1);
-  // Not in contact: what stands on the ground would share its plane. Files have near planes of
-  // 1e-5, with which depth cannot tell a hair; a ground that is seen to be apart is worse.
-  double gap = 0.002 * radius;
-  for (const Camera& camera : scene.cameras)
-    gap = std::max(gap, depthStep(camera, glm::length(center - camera.eye()) + radius));
-  gap = std::min(gap, 0.02 * radius);
+  // Not in contact: what stands on the ground would share its plane.
   const double half = size * radius;
   instance.toWorld[0].x = instance.toWorld[2].z = half;
-  instance.toWorld[3] = {center.x, low.y - gap, center.z, 1};
+  instance.toWorld[3] = {center.x, low.y - 0.002 * radius, center.z, 1};
   scene.materials.push_back(material);
   scene.meshes.push_back(std::move(mesh));
   scene.instances.push_back(instance);

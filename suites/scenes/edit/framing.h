@@ -24,8 +24,7 @@ Light defaultLight();
 /// A sun as above and a sky (Scene::sky), for files without light: together with the ambient light
 /// a white surface gets radiance 1 at most, one in the shade 0.1 to 0.3.
 void addDaylight(Scene& scene);
-/// A grey, rough plane just below the lowest point of the scene (0.002 to 0.02 of its radius: as
-/// little as the cameras' depth tells apart), `size` times as wide as the scene,
+/// A grey, rough plane just below the lowest point of the scene, `size` times as wide as the scene,
 /// for models that bring nothing to receive their shadow. Cameras' far planes move behind it.
 void addGround(Scene& scene, double size);
 

@@ -3,7 +3,8 @@
 // layers so far. k + 1 peeling passes for k layers, each with its own shading; two depth buffers,
 // two colour targets (five where the scene has glass: ColouredLayers). Exact up to `layers`;
 // surfaces in one plane are layers in the order of their keys (CoplanarSurfaces), and what lies
-// behind the last layer is lost: an error of at most the product of (1 - a) in front of it.
+// behind the last layer is lost: an error of at most the product of (1 - a) in front of it. Where
+// the shadow technique answers by layers, the depth of each is drawn first, in a pass of its own.
 //   stop=query  stops behind the first empty layer, which an occlusion query found a frame earlier
 //               (of a camera in motion: a loop earlier, at the same place)
 //   stop=count  always peels `layers` times
@@ -23,7 +24,7 @@ class DepthPeeling final : public TransparencyTechnique {
     m_byQuery = context.knobs.is("stop", "query");
     if (m_byQuery) m_queries = PassQueries(context.device, "depth peeling layers", m_most);
     m_coloured = context.plan.runs(Effect::ColouredTransparency);
-    createTargets(context);
+    createTargets(context, camera);
     createPipelines(context, camera);
 
     // The first layer has none before it; what stands in that slot is not read.
@@ -38,7 +39,9 @@ class DepthPeeling final : public TransparencyTechnique {
   void record(Frame& frame, CameraPass& camera) override {
     const uint32_t layers = layersToPeel(camera.view().step());
     for (uint32_t layer = 0; layer < layers; ++layer) {
-      peel(frame, camera, layer);
+      camera.recordLayer(
+          frame, {.depth = m_depth[layer % 2], .index = layer + 1},
+          [&] { drawDepth(frame, camera, layer); }, [&] { peel(frame, camera, layer); });
       if (m_coloured)
         m_under.slideUnder(frame, {m_layer, m_layerBehind}, layer == 0);
       else
@@ -63,12 +66,16 @@ class DepthPeeling final : public TransparencyTechnique {
     if (!context.view.gpu().coplanar().empty()) folder += "/coplanar";
     rhi::GraphicsPipelineDesc peel = camera.translucentPipeline(folder);
     if (m_coloured) peel.targets.push_back({.format = CameraPass::kColorFormat});
-    // Or equal: a layer may lie on the far plane, where the buffer was cleared to.
-    peel.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
-    peel.constants.push_back({32, 0});
-    m_peel = context.pipelines.get(peel);
-    peel.constants.back().bits = 1;
-    m_peelFirst = context.pipelines.get(peel);
+    peel.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
+    peel.depth.write = !camera.byLayer();
+    m_peel = forEachLayer(context, peel);
+    if (camera.byLayer()) {
+      rhi::GraphicsPipelineDesc depth = camera.unshadedPipeline(
+          camera.coplanar() ? "depth_peeling/depth_coplanar.frag" : "depth_peeling/depth.frag");
+      depth.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
+      depth.depthFormat = camera.depthFormat();
+      m_peelDepth = forEachLayer(context, depth);
+    }
     if (m_coloured) {
       m_under = ColouredLayers(context, camera);
       return;
@@ -83,7 +90,21 @@ class DepthPeeling final : public TransparencyTechnique {
     m_composite = context.pipelines.get(camera.compositePipeline("depth_peeling/composite.frag"));
   }
 
-  void createTargets(const Context& context) {
+  /// For the first layer and for those behind it.
+  struct LayerPipelines {
+    rhi::PipelineId first, next;
+    rhi::PipelineId of(uint32_t layer) const { return layer == 0 ? first : next; }
+  };
+  static LayerPipelines forEachLayer(const Context& context, rhi::GraphicsPipelineDesc desc) {
+    LayerPipelines pipelines;
+    desc.constants.push_back({32, 0});
+    pipelines.next = context.pipelines.get(desc);
+    desc.constants.back().bits = 1;
+    pipelines.first = context.pipelines.get(desc);
+    return pipelines;
+  }
+
+  void createTargets(const Context& context, const CameraPass& camera) {
     const auto [width, height] = context.view.size();
     auto texture = [&](const char* label, rhi::Format format, rhi::TextureUse use) {
       return context.device.createTexture({.label = label,
@@ -93,7 +114,7 @@ class DepthPeeling final : public TransparencyTechnique {
                                            .use = use | rhi::TextureUse::Sampled});
     };
     for (rhi::Texture& depth : m_depth)
-      depth = texture("peeled depth", CameraPass::kDepthFormat, rhi::TextureUse::DepthTarget);
+      depth = texture("peeled depth", camera.depthFormat(), rhi::TextureUse::DepthTarget);
     m_layer = texture("peeled layer", CameraPass::kColorFormat, rhi::TextureUse::ColorTarget);
     const char* second = m_coloured ? "peeled layer's weights" : "peeled layers";
     (m_coloured ? m_layerBehind : m_layers) =
@@ -111,27 +132,60 @@ class DepthPeeling final : public TransparencyTechnique {
     return empty == samples.end() ? m_most : uint32_t(empty - samples.begin()) + 1;
   }
 
+  /// Of the opaque surface and of the layer before.
+  std::vector<rhi::ResourceUse> depthReads(const CameraPass& camera, uint32_t layer) const {
+    std::vector<rhi::ResourceUse> reads = {rhi::use(camera.depth(), rhi::Access::Sampled)};
+    if (layer > 0) reads.push_back(rhi::use(m_depth[(layer + 1) % 2].id(), rhi::Access::Sampled));
+    return reads;
+  }
+
+  void drawLayer(rhi::CommandList& commands, CameraPass& camera, uint32_t layer,
+                 const LayerPipelines& pipelines) {
+    m_behind[layer == 0 ? 0 : 1 + (layer + 1) % 2].draw(commands, pipelines.of(layer),
+                                                        camera.translucent());
+  }
+
+  /// The draws that find the layer: by them is known whether there is one.
+  void find(rhi::CommandList& commands, CameraPass& camera, uint32_t layer,
+            const LayerPipelines& pipelines) {
+    auto draw = [&] { drawLayer(commands, camera, layer, pipelines); };
+    if (m_byQuery)
+      m_queries.count(commands, draw);
+    else
+      draw();
+  }
+
+  void drawDepth(Frame& frame, CameraPass& camera, uint32_t layer) {
+    const auto reads = depthReads(camera, layer);
+    frame.pass({.label = "layer depth",
+                .depth = rhi::DepthAttachment{.view = {.texture = m_depth[layer % 2]},
+                                              .clearDepth = CameraPass::kFarDepth},
+                .reads = reads},
+               PassGroup::Shadow,
+               [&](rhi::CommandList& commands) { find(commands, camera, layer, m_peelDepth); });
+  }
+
   void peel(Frame& frame, CameraPass& camera, uint32_t layer) {
     const rhi::ColorAttachment colors[] = {
         {.view = {.texture = m_layer}},
         {.view = {.texture = m_layerBehind}, .clear = {1, 1, 1, 1}}};
-    std::vector<rhi::ResourceUse> reads = {rhi::use(camera.depth(), rhi::Access::Sampled)};
-    if (layer > 0) reads.push_back(rhi::use(m_depth[(layer + 1) % 2].id(), rhi::Access::Sampled));
-    DrawList& draws = m_behind[layer == 0 ? 0 : 1 + (layer + 1) % 2];
+    rhi::DepthAttachment depth{.view = {.texture = m_depth[layer % 2]},
+                               .clearDepth = CameraPass::kFarDepth};
+    if (camera.byLayer()) {
+      depth.load = rhi::LoadOp::Load;
+      depth.readOnly = true;
+    }
+    const auto reads = depthReads(camera, layer);
     camera.surfacePass(frame,
                        {.label = "peel",
                         .colors = std::span(colors, m_coloured ? 2 : 1),
-                        .depth = rhi::DepthAttachment{.view = {.texture = m_depth[layer % 2]}},
+                        .depth = depth,
                         .reads = reads},
                        [&](rhi::CommandList& commands) {
-                         auto draw = [&] {
-                           draws.draw(commands, layer == 0 ? m_peelFirst : m_peel,
-                                      camera.translucent());
-                         };
-                         if (m_byQuery)
-                           m_queries.count(commands, draw);
+                         if (camera.byLayer())
+                           drawLayer(commands, camera, layer, m_peel);
                          else
-                           draw();
+                           find(commands, camera, layer, m_peel);
                        });
   }
 
@@ -163,7 +217,8 @@ class DepthPeeling final : public TransparencyTechnique {
   rhi::Texture m_depth[2], m_layer, m_layers, m_layerBehind;
   ColouredLayers m_under;
   rhi::Sampler m_sampler;
-  rhi::PipelineId m_peel, m_peelFirst, m_slideUnder, m_composite;
+  LayerPipelines m_peel, m_peelDepth;
+  rhi::PipelineId m_slideUnder, m_composite;
   std::vector<DrawList> m_behind;  ///< nothing, m_depth[0], m_depth[1]
 };
 
@@ -188,7 +243,8 @@ REGISTER_TECHNIQUE(
                               .max = 64,
                               .sweep = {"1", "2", "4", "8"}}},
                    .error = "none up to the number of layers",
-                   .breaksIn = {{"camera layers", "what lies behind `layers` of them is lost"}}}));
+                   .breaksIn = {{"camera layers", "what lies behind `layers` of them is lost"}},
+                   .handsOutLayers = true}));
 
 }  // namespace
 }  // namespace sb

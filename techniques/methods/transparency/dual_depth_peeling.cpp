@@ -1,6 +1,6 @@
 // Dual depth peeling (Bavoil, Myers 2008); spec 15, C. Each pass peels two layers, the nearest and
-// the farthest that are left: their depths come from the pass before by MAX blending of (-depth,
-// depth), front layers are blended under, back layers over. One pass without shading, then ceil(k /
+// the farthest that are left: their depths come from the pass before by MAX blending of (depth,
+// -depth), front layers are blended under, back layers over. One pass without shading, then ceil(k /
 // 2) with three targets. Where the scene has glass, each pass writes its two layers with their
 // weights to four targets beside the bounds; two full-screen passes slide the front one under the
 // others (ColouredLayers) and lay the back one over the picture. Exact up to `layers`; what is left

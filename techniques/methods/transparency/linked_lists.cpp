@@ -7,28 +7,26 @@
 // beyond what the device allows, they are dropped, counted and reported. nodes=rgba8 clamps colours
 // to 1 and shows bands where little comes through.
 #include <algorithm>
-#include <cstring>
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/draw/pass_queries.h"
+#include "techniques/lists/list_pool.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/registry.h"
 
 namespace sb {
 namespace {
 
-constexpr uint32_t kEndOfList = 0xFFFFFFFFu;
-
 class LinkedLists final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
-    m_device = &context.device;
     const bool half = context.knobs.is("nodes", "rgba16f");
     m_coloured = context.plan.runs(Effect::ColouredTransparency);
     const uint64_t perPixel = context.knobs.integer("pool");
     const auto [width, height] = context.view.size();
-    createBuffers(context, (half ? 20 : 16) + (m_coloured ? 4 : 0),
-                  perPixel > 0 ? perPixel * width * height : countFragments(context, camera));
+    const uint64_t pixels = uint64_t(width) * height;
+    m_pool = ListPool(context.device, pixels, (half ? 5 : 4) + (m_coloured ? 1 : 0),
+                      perPixel > 0 ? perPixel * pixels : countFragments(context, camera));
 
     std::string folder = m_coloured ? "linked_lists/coloured" : "linked_lists";
     if (camera.coplanar()) folder += "/coplanar";
@@ -47,20 +45,16 @@ class LinkedLists final : public TransparencyTechnique {
     m_resolve = context.pipelines.get(resolve);
 
     m_bindings = context.view.bindings();
-    std::vector<rhi::Binding> lists = {rhi::storageAt(STORAGE_TRANSPARENCY, m_heads),
-                                       rhi::storageAt(STORAGE_TRANSPARENCY + 1, m_nodes),
-                                       rhi::storageAt(STORAGE_TRANSPARENCY + 2, m_asked)};
-    m_bindings.insert(m_bindings.end(), lists.begin(), lists.end());
+    const auto pool = m_pool.bindings(STORAGE_TRANSPARENCY);
+    m_bindings.insert(m_bindings.end(), pool.begin(), pool.end());
+    std::vector<rhi::Binding> lists(pool.begin(), pool.end());
     if (camera.coplanar()) lists.push_back(camera.opaqueDepth());
     m_draws = camera.drawListWith(lists);
   }
 
   void record(Frame& frame, CameraPass& camera) override {
-    frame.commands().fill(m_heads, 0, m_headBytes, kEndOfList);
-    frame.commands().fill(m_asked, 0, 4, 0);
-    const rhi::ResourceUse writes[] = {rhi::use(m_heads.id(), rhi::Access::StorageWrite),
-                                       rhi::use(m_nodes.id(), rhi::Access::StorageWrite),
-                                       rhi::use(m_asked.id(), rhi::Access::StorageWrite)};
+    m_pool.clear(frame.commands());
+    const auto writes = m_pool.writes();
     rhi::PassDesc lists{.label = "lists", .writes = writes};
     const rhi::ResourceUse depth = rhi::use(camera.depth(), rhi::Access::Sampled);
     lists.extent = camera.view().size();
@@ -72,22 +66,18 @@ class LinkedLists final : public TransparencyTechnique {
     camera.surfacePass(
         frame, lists,
         [&](rhi::CommandList& commands) { m_draws.draw(commands, m_build, camera.translucent()); });
-    const rhi::ResourceUse reads[] = {rhi::use(m_heads.id(), rhi::Access::StorageRead),
-                                      rhi::use(m_nodes.id(), rhi::Access::StorageRead)};
+    const auto reads = m_pool.reads();
     camera.compositePass(frame, "sort and composite", reads, [&](rhi::CommandList& commands) {
       drawFullscreen(commands, m_resolve, m_bindings);
     });
-    m_recorded = true;
   }
 
   std::vector<std::string> warnings() override {
-    if (!m_recorded) return {};
-    uint32_t asked = 0;
-    std::memcpy(&asked, m_device->read(m_asked, 0, 4).data(), 4);
-    if (asked <= m_capacity) return {};
-    return {"linked lists dropped " + std::to_string(asked - m_capacity) + " of " +
-            std::to_string(asked) + " fragments: the pool holds " + std::to_string(m_capacity) +
-            " (knob pool)"};
+    const auto overflow = m_pool.overflow();
+    if (!overflow) return {};
+    return {"linked lists dropped " + std::to_string(overflow->dropped) + " of " +
+            std::to_string(overflow->asked) + " fragments: the pool holds " +
+            std::to_string(m_pool.capacity()) + " (knob pool)"};
   }
 
  private:
@@ -113,37 +103,16 @@ class LinkedLists final : public TransparencyTechnique {
     {
       rhi::PassScope pass =
           commands.beginPass({.label = "list fragments",
-                              .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()}}});
+                              .depth = rhi::DepthAttachment{.view = {.texture = camera.depth()},
+                                                            .clearDepth = CameraPass::kFarDepth}});
       query.count(commands, [&] { draws.draw(commands, pipeline, camera.translucent()); });
     }
     frame.endAndWait();
     return query.take().front();
   }
 
-  void createBuffers(const Context& context, uint64_t nodeBytes, uint64_t wanted) {
-    const auto [width, height] = context.view.size();
-    const uint64_t pixels = uint64_t(width) * height;
-    // A smaller pool than asked for shows in the count of what was dropped.
-    m_capacity = std::min(wanted, context.device.info().limits.maxStorageRange / nodeBytes);
-    m_headBytes = pixels * 4;
-    auto buffer = [&](const char* label, uint64_t size) {
-      return context.device.createBuffer({.label = label,
-                                          .size = size,
-                                          .use = rhi::BufferUse::Storage |
-                                                 rhi::BufferUse::CopyTarget |
-                                                 rhi::BufferUse::CopySource});
-    };
-    m_heads = buffer("list heads", m_headBytes);
-    m_nodes = buffer("list nodes", m_capacity * nodeBytes);
-    m_asked = buffer("list counter", 16);
-  }
-
-  rhi::Device* m_device = nullptr;
   bool m_coloured = false;
-  uint64_t m_capacity = 0;  ///< nodes
-  uint64_t m_headBytes = 0;
-  bool m_recorded = false;
-  rhi::Buffer m_heads, m_nodes, m_asked;
+  ListPool m_pool;
   rhi::PipelineId m_build, m_resolve;
   std::vector<rhi::Binding> m_bindings;
   DrawList m_draws;

@@ -27,7 +27,7 @@ class StochasticTransparency final : public TransparencyTechnique {
       m_coloured.emplace(context, camera, m_samples, m_basic);
       return;
     }
-    createTargets(context);
+    createTargets(context, camera);
     createPipelines(context, camera);
     const rhi::Binding opaque = rhi::textureAt(TEXTURE_TRANSPARENCY, camera.depth(), m_sampler);
     m_draws = camera.drawListWith({&opaque, 1});
@@ -44,7 +44,7 @@ class StochasticTransparency final : public TransparencyTechnique {
         m_draws.draw(commands, pipeline, camera.translucent());
       };
     };
-    rhi::DepthAttachment depth{.view = {.texture = m_depth}};
+    rhi::DepthAttachment depth{.view = {.texture = m_depth}, .clearDepth = CameraPass::kFarDepth};
     if (!m_basic) {
       const rhi::ColorAttachment total{.view = {.texture = m_transmittance}, .clear = {1, 1, 1, 1}};
       camera.surfacePass(
@@ -68,12 +68,12 @@ class StochasticTransparency final : public TransparencyTechnique {
   }
 
  private:
-  void createTargets(const Context& context) {
+  void createTargets(const Context& context, const CameraPass& camera) {
     using U = rhi::TextureUse;
     const auto [width, height] = context.view.size();
     auto texture = [&](const char* label, rhi::Format format, uint32_t samples, U use) {
       const rhi::FormatCaps caps = context.device.formatCaps(format);
-      const bool blends = caps.blend || m_basic || format == CameraPass::kDepthFormat;
+      const bool blends = caps.blend || m_basic || rhi::formatInfo(format).depth;
       if (!blends || std::ranges::count(caps.sampleCounts, samples) == 0)
         throw rhi::Error("StochasticTransparency", "",
                          "the device has no " + std::string(rhi::formatInfo(format).name) +
@@ -86,7 +86,7 @@ class StochasticTransparency final : public TransparencyTechnique {
                                            .use = use});
     };
     const U sampled = U::ColorTarget | U::Sampled;
-    m_depth = texture("stochastic depths", CameraPass::kDepthFormat, m_samples, U::DepthTarget);
+    m_depth = texture("stochastic depths", camera.depthFormat(), m_samples, U::DepthTarget);
     m_colors = texture("stochastic colours", CameraPass::kColorFormat, m_samples, sampled);
     if (m_samples > 1)
       m_resolved = texture("stochastic colours resolved", CameraPass::kColorFormat, 1, sampled);
@@ -101,9 +101,8 @@ class StochasticTransparency final : public TransparencyTechnique {
     surfaces.samples = m_samples;
     surfaces.constants.push_back({32, m_samples});
     surfaces.constants.push_back({33, m_basic});
-    // Or equal in all passes: a layer may lie on the far plane, where the buffer was cleared to.
     if (m_basic)
-      surfaces.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
+      surfaces.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
     else
       surfaces.targets.front().blend = {
           .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
@@ -126,8 +125,8 @@ class StochasticTransparency final : public TransparencyTechnique {
         camera.unshadedPipeline("stochastic_transparency/depth.frag");
     depths.samples = m_samples;
     depths.constants.push_back({32, m_samples});
-    depths.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
-    depths.depthFormat = CameraPass::kDepthFormat;
+    depths.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
+    depths.depthFormat = camera.depthFormat();
     m_depths = context.pipelines.get(depths);
   }
 

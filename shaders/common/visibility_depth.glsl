@@ -1,0 +1,11 @@
+// The depth of a layer of the visibility buffer alone, for techniques that answer by layers.
+#include "common/options.glsl"
+#include "common/scene.glsl"
+#include "common/material.glsl"
+#include "common/visibility_layer.glsl"
+layout(location = 3) in vec4 v_uv;
+layout(location = 4) in vec4 v_color;
+
+void main() {
+  discardUnlessInLayer(lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha);
+}

@@ -1,0 +1,29 @@
+// The edges of a mesh for shadow volumes and wedges (spec 07, signed edge multiplicity): any triangle
+// soup, closed or not. What casts is the sum of whole triangles, each a closed chain of its three
+// edges; so the sides that an edge needs are its signed sum over the triangles that cast.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "shaders/common/shared_edges.h"
+#include "techniques/scene/scene.h"
+
+namespace sb {
+
+struct EdgeMesh {
+  /// In the order of their vertices. Corners at one position are one vertex; triangles without area
+  /// have no edges. Of triangles that meet at an edge those of opposite direction are paired first,
+  /// so that parts that are closed cancel within one record.
+  std::vector<gpu::EdgeData> edges;
+  /// Every edge has two triangles, of opposite direction: the mesh encloses a volume.
+  bool closed = false;
+};
+
+EdgeMesh edgeMesh(const Mesh& mesh);
+
+/// Signed number of sides along an edge; `casts`: of a triangle, 1 as it is wound, -1 turned over, 0
+/// not at all.
+int edgeMultiplicity(const gpu::EdgeData& edge, const std::function<int(uint32_t)>& casts);
+
+}  // namespace sb
