@@ -1,6 +1,7 @@
 // The ray-traced truth of a scene (spec 16): what every technique is measured against. Visibility of
 // each light at the layers of decision D10, the shaded image, and where the truth jumps. Double
-// precision throughout, relative to the eye; exact for lights without area, so nothing is sampled.
+// precision throughout, relative to the eye; exact for lights without area, so nothing is sampled, but
+// for what media scatter (suites/truth/media.h).
 #pragma once
 
 #include <atomic>
@@ -33,6 +34,10 @@ struct Truth {
   std::vector<std::vector<float>> reflected;
   /// Per layer: 1 where a surface is, 2 where that surface is translucent to the light.
   std::vector<std::vector<uint8_t>> surfaces;
+  /// By light, of scenes with media alone (else empty): as `visibility`, at the point in media of
+  /// each pixel (MediaView::Point), alpha 1 where the light's radiance reaches it.
+  std::vector<std::vector<float>> mediaVisibility;
+  std::vector<std::vector<uint8_t>> mediaEdges;  ///< same index: where it jumps, as `edges`
   std::vector<float> image;         ///< linear RGBA, alpha 1
   std::vector<uint8_t> imageEdges;  ///< union of all edges
   double standardError = 0;         ///< of visibility; 0: exact

@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<ProceduralScene>& registry() {
   static const std::vector<ProceduralScene> kScenes = {layers(), panes(), spheresQuads(),
-                                                       teapot(), roseWindow()};
+                                                       teapot(), roseWindow(), fog()};
   return kScenes;
 }
 
