@@ -92,7 +92,8 @@ GPU_TEST(JudgeCells, AMediumThatNoTechniqueShowsIsItsError) {
   const double taken = 1 - std::exp(-1.0);
   EXPECT_NEAR(r.visibility->all.rmse, taken * std::sqrt(0.5), 1e-3);
   EXPECT_NEAR(r.visibility->all.bias, taken / 2, 1e-3);
-  EXPECT_EQ(shareOf(r, "leaking"), 1);
+  // Two of 32 columns lie so near its edge that a lookup might have found it.
+  EXPECT_NEAR(shareOf(r, "leaking"), 30.0 / 32, 1e-9);
   // In view it is missing from the picture as well.
   scene.media[0].boxToWorld[3].y = -1;
   scene.media[0].boxToWorld[1].y = 1.25;

@@ -51,14 +51,14 @@ Scene make(const ParamValues& p) {
               lookFrom(floor, floor - glm::dvec3(0, 1, 0), {0, 0, -1}));
   addInstance(scene, "wall", addMesh(scene, quadMesh("wall", grey, {4, 2})), at({0, 2, -4}));
   addInstance(scene, "ball", addMesh(scene, sphereMesh("ball", red, 24)), at({-1, 1.4, 0}, 0.4));
-  // Slats across the left side leave three slots; above them it is closed.
+  // Slats across the left side leave three slots under a board; light comes over that as well.
   const auto close = [&](const char* name, uint32_t mesh, double height) {
     const glm::dvec3 place(-4, height, -1);
     addInstance(scene, name, mesh, lookFrom(place, place - glm::dvec3(1, 0, 0)));
   };
   const uint32_t slat = addMesh(scene, quadMesh("slat", grey, {3, 0.25f}));
   for (int i = 0; i < 3; ++i) close("slat", slat, 0.55 + i);
-  close("board", addMesh(scene, quadMesh("board", grey, {3, 2.6f})), 5.9);
+  close("board", addMesh(scene, quadMesh("board", grey, {3, 0.8f})), 4.1);
   scene.lights.push_back(sunLight({1, -0.55, -0.12}, glm::radians(p.find("sun")->second)));
   scene.ambient = glm::vec3(0.03f);
   Camera camera;
