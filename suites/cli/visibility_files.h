@@ -25,8 +25,8 @@ std::vector<std::string> visibilityFiles(const std::string& prefix);
 
 /// Writes them and says so. Layers that hold nothing (no alpha) are left out; without any other
 /// nothing is written, and that is said. Layers of the file are `lightN.opaque`,
-/// `lightN.layerM` and `lightN.media`. The sheet has for each light a row of the layers that any light holds, for at
-/// most 1000 lights.
+/// `lightN.layerM` and `lightN.media`. The sheet has for each light a row of the layers that any
+/// light holds, for at most 1000 lights.
 void writeVisibility(const std::string& prefix, rhi::Extent2D size, VisibilityLayers layers);
 
 }  // namespace sb

@@ -123,8 +123,7 @@ MediaField::Passage MediaField::march(const Stretch& stretch, const Lights& ligh
 
 MediaField::Passage MediaField::pass(const Stretch& stretch, const Lights& lights) const {
   const Way way = wayOf(stretch);
-  return {.light = MediaMarch(way, lights).light(),
-          .transmittance = glm::exp(-opticalDepth(way))};
+  return {.light = MediaMarch(way, lights).light(), .transmittance = glm::exp(-opticalDepth(way))};
 }
 
 }  // namespace sb

@@ -1,9 +1,9 @@
-// Light on its way through participating media (specs 14 and 16): what passes, and what is scattered
-// toward the eye, once. What passes is analytic where density is constant, exact but for rounding in
-// grids (Simpson between the planes where their cubic pieces meet), adaptive to 1e-5 in smoke. What
-// is scattered is marched: steps weigh a light at their middle by the exact share that each medium
-// takes out of the ray, so that the number of steps does not matter in uniform light; Richardson's
-// extrapolation over a step and its halves, which are halved again where they disagree
+// Light on its way through participating media (specs 14 and 16): what passes, and what is
+// scattered toward the eye, once. What passes is analytic where density is constant, exact but for
+// rounding in grids (Simpson between the planes where their cubic pieces meet), adaptive to 1e-5 in
+// smoke. What is scattered is marched: steps weigh a light at their middle by the exact share that
+// each medium takes out of the ray, so that the number of steps does not matter in uniform light;
+// Richardson's extrapolation over a step and its halves, which are halved again where they disagree
 // (media_march.h).
 #pragma once
 
@@ -26,7 +26,7 @@ class MediaField {
   /// A piece of a ray, relative to the eye.
   struct Stretch {
     glm::dvec3 origin;
-    glm::dvec3 direction;  ///< unit
+    glm::dvec3 direction;     ///< unit
     double from = 0, to = 0;  ///< distances; `to` may be infinite
     glm::dvec3 at(double t) const { return origin + t * direction; }
   };

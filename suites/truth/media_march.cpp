@@ -12,7 +12,7 @@ constexpr uint32_t kSteps = 16;     ///< to begin with
 constexpr double kAgree = 0x1p-12;  ///< of the unshadowed light: a step and its halves agree
 constexpr int kHalvings = 12;       ///< of a step: shadow edges are found to 1e-5 of the way
 constexpr int kMostHalvings = 64;   ///< ... where a step swallows all light
-constexpr double kThick = 0.25;   ///< optical depth that one step may cover
+constexpr double kThick = 0.25;     ///< optical depth that one step may cover
 constexpr double kDark = 1e-6;      ///< share of light that no longer counts
 /// At the ends, where surfaces may stand, lights are asked for this share of the way within.
 constexpr double kInset = 1e-6;

@@ -223,8 +223,7 @@ dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
   for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());
   if (m_media.empty()) return passed;
   const double length = glm::length(ray.direction);
-  return passed *
-         m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
+  return passed * m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
 }
 
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,

@@ -1,7 +1,6 @@
 // The ray-traced truth of a scene (spec 16): what every technique is measured against. Visibility of
 // each light at the layers of decision D10, the shaded image, and where the truth jumps. Double
-// precision throughout, relative to the eye; exact for lights without area, so nothing is sampled, but
-// for what media scatter (suites/truth/media.h).
+// precision throughout, relative to the eye; exact for lights without area, so nothing is sampled.
 #pragma once
 
 #include <atomic>
@@ -38,7 +37,8 @@ struct Truth {
   /// each pixel (MediaView::Point), alpha 1 where the light's radiance reaches it.
   std::vector<std::vector<float>> mediaVisibility;
   std::vector<std::vector<uint8_t>> mediaEdges;  ///< same index: where it jumps, as `edges`
-  std::vector<float> image;         ///< linear RGBA, alpha 1
+  /// Linear RGBA, alpha 1. What media scatter is right to a thousandth (suites/truth/media.h).
+  std::vector<float> image;
   std::vector<uint8_t> imageEdges;  ///< union of all edges
   double standardError = 0;         ///< of visibility; 0: exact
   uint64_t rays = 0;                ///< camera and shadow rays of everything above

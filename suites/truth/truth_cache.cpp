@@ -113,12 +113,12 @@ bool parse(std::string_view payload, Truth& t) {
   return in.list(t.image, 4 * pixels) && in.list(t.imageEdges, pixels) &&
          in.lists(t.visibility, 4 * pixels) && in.lists(t.edges, pixels) &&
          in.lists(t.reflected, pixels) && in.lists(t.surfaces, pixels) &&
-         (in.atEnd() || (in.lists(t.mediaVisibility, 4 * pixels) &&
-                         in.lists(t.mediaEdges, pixels) && in.atEnd() &&
-                         t.mediaVisibility.size() * kTruthLayers == t.visibility.size() &&
-                         t.mediaEdges.size() == t.mediaVisibility.size())) &&
-         t.surfaces.size() == kTruthLayers &&
-         t.visibility.size() == t.edges.size() && t.visibility.size() == t.reflected.size() && t.visibility.size() % kTruthLayers == 0;
+         (in.atEnd() ||
+          (in.lists(t.mediaVisibility, 4 * pixels) && in.lists(t.mediaEdges, pixels) &&
+           in.atEnd() && t.mediaVisibility.size() * kTruthLayers == t.visibility.size() &&
+           t.mediaEdges.size() == t.mediaVisibility.size())) &&
+         t.surfaces.size() == kTruthLayers && t.visibility.size() == t.edges.size() &&
+         t.visibility.size() == t.reflected.size() && t.visibility.size() % kTruthLayers == 0;
 }
 
 std::string headerOf(const std::string& key, std::string_view payload) {

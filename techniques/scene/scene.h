@@ -120,9 +120,9 @@ struct Light {
 
 enum class MediumKind : uint8_t { Homogeneous, Smoke, Grid };
 
-/// A participating medium in an oriented box (spec 14): it scatters what lights send there once, and
-/// neither emits nor scatters ambient light. Where several overlap, densities add. At most kMaxMedia
-/// (medium_data.h) a scene. extras.shadowbench {"medium": {...}}.
+/// A participating medium in an oriented box (spec 14): it scatters what lights send there once,
+/// and neither emits nor scatters ambient light. Where several overlap, densities add. At most
+/// kMaxMedia (medium_data.h) a scene. extras.shadowbench {"medium": {...}}.
 struct Medium {
   std::string name;
   MediumKind kind = MediumKind::Homogeneous;

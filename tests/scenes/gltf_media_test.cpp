@@ -93,8 +93,12 @@ TEST_F(GltfMedia, FlattenedOnesAreLeftOut) {
 
 TEST_F(GltfMedia, AllKindsAreWrittenAsTheyWereRead) {
   Scene scene = load(gridFile({0, 0.25f, 1e-7f, 3}, {2, 1, 2}));
-  scene.media.push_back({.name = "smoke", .kind = MediumKind::Smoke, .extinction = {1, 2, 3},
-                         .albedo = {0.1f, 0.2f, 0.3f}, .anisotropy = -0.3f, .seed = 77,
+  scene.media.push_back({.name = "smoke",
+                         .kind = MediumKind::Smoke,
+                         .extinction = {1, 2, 3},
+                         .albedo = {0.1f, 0.2f, 0.3f},
+                         .anisotropy = -0.3f,
+                         .seed = 77,
                          .time = 0.1});
   scene.media.push_back({.name = "fog", .extinction = {1, 2, 3}});
   exportGlb(scene, m_folder / "scene.glb");

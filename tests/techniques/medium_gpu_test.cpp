@@ -10,8 +10,10 @@ using namespace sb::test;
 GPU_TEST(SharedMedium, ShaderAndTruthAgree) {
   std::vector<Medium> media;
   for (uint32_t i = 0; i < 3; ++i) {
-    media.push_back({.kind = MediumKind::Smoke, .anisotropy = 0.4f * float(i) - 0.4f,
-                     .seed = 1000 * i, .time = 123.4 * i});
+    media.push_back({.kind = MediumKind::Smoke,
+                     .anisotropy = 0.4f * float(i) - 0.4f,
+                     .seed = 1000 * i,
+                     .time = 123.4 * i});
     media[i].boxToWorld = glm::dmat4(0, 2, 0, 0, 0, 0, 2, 0, 2, 0, 0, 0, 1e6, -1, -1, 1);
   }
   const glm::dvec3 eye(1e6 + 1, 0, 0);
@@ -27,11 +29,11 @@ GPU_TEST(SharedMedium, ShaderAndTruthAgree) {
   rhi::Buffer in = bufferOf(device(), inputs);
   rhi::Buffer out = bufferOf(device(), std::vector<glm::vec4>(inputs.size()));
   frame(device(), [&](rhi::CommandList& list) {
-    computePass(list, pipeline,
-                {rhi::uniformAt(UNIFORM_MEDIA, uniform), rhi::storageAt(0, in),
-                 rhi::storageAt(1, out)},
-                {rhi::use(in.id(), rhi::Access::StorageRead)},
-                {rhi::use(out.id(), rhi::Access::StorageWrite)}, {64, 1, 1});
+    computePass(
+        list, pipeline,
+        {rhi::uniformAt(UNIFORM_MEDIA, uniform), rhi::storageAt(0, in), rhi::storageAt(1, out)},
+        {rhi::use(in.id(), rhi::Access::StorageRead)},
+        {rhi::use(out.id(), rhi::Access::StorageWrite)}, {64, 1, 1});
   });
   const auto answers = readAll<glm::vec4>(device(), out);
   size_t smoky = 0;

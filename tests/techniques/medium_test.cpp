@@ -1,10 +1,10 @@
 // Density and phase function of media, their integer lattice, and how media are packed for shaders.
-#include "techniques/scene/medium_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "techniques/scene/medium_data.h"
 
 namespace sb {
 namespace {
@@ -96,8 +96,12 @@ TEST(Medium, GridsAreTrilinearBetweenMiddles) {
 }
 
 TEST(Medium, ShadersGetRecordsRelativeToTheEye) {
-  Medium m{.kind = MediumKind::Smoke, .extinction = {1, 2, 3}, .albedo = {0.5f, 0.25f, 1},
-           .anisotropy = 0.75f, .seed = 42, .time = 1.25};
+  Medium m{.kind = MediumKind::Smoke,
+           .extinction = {1, 2, 3},
+           .albedo = {0.5f, 0.25f, 1},
+           .anisotropy = 0.75f,
+           .seed = 42,
+           .time = 1.25};
   m.boxToWorld = glm::dmat4(4);
   m.boxToWorld[3] = {1e7 + 1, 2, 3, 1};
   const std::vector<Medium> media(kMaxMedia, m);

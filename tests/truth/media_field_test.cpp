@@ -1,13 +1,12 @@
 // What passes a medium and what it scatters, on rays worked out by hand (spec 14: worked example,
 // invariants 1, 2, 3, 4, 6; spec 17, section 14), without surfaces.
-#include "suites/truth/media.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "suites/scenes/procedural/shapes.h"
+#include "suites/truth/media.h"
 
 namespace sb::test {
 namespace {
@@ -33,7 +32,9 @@ struct Field {
 };
 
 /// Radiance 1 scattered from density 1 everywhere, or what `share` leaves of it.
-MediaField::Lights uniform(std::function<double(const dvec3&)> share = [](const dvec3&) { return 1.0; }) {
+MediaField::Lights uniform(std::function<double(const dvec3&)> share = [](const dvec3&) {
+  return 1.0;
+}) {
   return [share](const dvec3& p, std::vector<MediaField::Arrival>& out) {
     out.push_back({{0, 1, 0}, dvec3(kFourPi), dvec3(share(p))});
   };
@@ -67,8 +68,8 @@ TEST(MediaField, AGridThatRisesAlongTheRayIsExact) {
   expectNear(f.field.transmittance(kAlongZ), dvec3(std::exp(-2.0)), 1e-12);
   // Between the middles of the outermost cells density is z itself: 4 (b^2 - a^2) / 2.
   const Stretch part{{0.25, 0.75, 0}, {0, 0, 1}, 0.125, 0.8125};
-  expectNear(f.field.transmittance(part),
-             dvec3(std::exp(-2 * (0.8125 * 0.8125 - 0.125 * 0.125))), 1e-12);
+  expectNear(f.field.transmittance(part), dvec3(std::exp(-2 * (0.8125 * 0.8125 - 0.125 * 0.125))),
+             1e-12);
 }
 
 TEST(MediaField, AGridIsCubicAlongARayAndExactThere) {
@@ -82,7 +83,8 @@ TEST(MediaField, AGridIsCubicAlongARayAndExactThere) {
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
     const dvec3 p = from + direction * (2.0 * (i + 0.5) / kSteps);
-    const bool inside = glm::all(glm::greaterThanEqual(p, dvec3(0))) && glm::all(glm::lessThan(p, dvec3(1)));
+    const bool inside =
+        glm::all(glm::greaterThanEqual(p, dvec3(0))) && glm::all(glm::lessThan(p, dvec3(1)));
     if (inside) sum += gridDensity(grid, p) * (2.0 / kSteps);
   }
   EXPECT_GT(sum, 0.5);
@@ -102,8 +104,7 @@ TEST(MediaField, SmokeIsIntegratedToItsTolerance) {
     for (int i = 0; i < kSteps; ++i)
       sum += gpu::smokeDensity(shape, from + direction * (2.0 * (i + 0.5) / kSteps)) * 40 / kSteps;
     EXPECT_GT(sum, 0.1) << y;
-    expectNear(f.field.transmittance({from, direction, 0, kInfinity}), dvec3(std::exp(-sum)),
-               1e-5);
+    expectNear(f.field.transmittance({from, direction, 0, kInfinity}), dvec3(std::exp(-sum)), 1e-5);
   }
 }
 

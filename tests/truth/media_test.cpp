@@ -1,5 +1,5 @@
-// The truth of small scenes with media against closed forms (spec 14, invariants 1, 4, 5, 7, 8; spec
-// 16, camera path).
+// The truth of small scenes with media against closed forms (spec 14, invariants 1, 4, 5, 7, 8;
+// spec 16, camera path).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -184,7 +184,8 @@ TEST(TruthMedia, AnisotropyTurnsLightStraightOn) {
       scene.media[0].anisotropy = g;
       scene.lights[0].direction = travels;
       const double phase = (1 - g * g) / std::pow(1 + g * g - 2 * double(g) * cosine, 1.5);
-      EXPECT_NEAR(pixelOf(traced(scene, 8), 4, 4).x / (2 * kIsotropic * 1.5e-3), phase, 0.01 * phase)
+      EXPECT_NEAR(pixelOf(traced(scene, 8), 4, 4).x / (2 * kIsotropic * 1.5e-3), phase,
+                  0.01 * phase)
           << g << " " << cosine;
     }
 }

@@ -1,9 +1,9 @@
-#include "base/text.h"
 #include "suites/scenes/analysis/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "suites/scenes/analysis/parts.h"
 #include "techniques/scene/medium_data.h"
 #include "techniques/scene/mesh_shape.h"
@@ -208,8 +208,7 @@ Effects analyseView(const Analysis& a) {
           .push_back(i);
   for (uint32_t m = 0; m < a.media.size(); ++m)
     if (a.media[m].visible) effects.visibleMedia.push_back(m);
-  for (uint32_t i = 0; i < a.scene.lights.size(); ++i)
-    effects.lights.push_back(analyseLight(a, i));
+  for (uint32_t i = 0; i < a.scene.lights.size(); ++i) effects.lights.push_back(analyseLight(a, i));
   Notes notes(effects);
   noteCasters(a, effects, notes);
   noteOverlap(a, effects, notes);

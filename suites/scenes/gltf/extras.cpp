@@ -64,7 +64,7 @@ glm::vec3 triple(const GltfContext& context, const std::string& field, const Val
   return v;
 }
 
-constexpr double kMostCells = 512;   ///< of a grid, along an axis
+constexpr double kMostCells = 512;    ///< of a grid, along an axis
 constexpr double kLongestTime = 1e6;  ///< seconds
 
 void readGrid(const GltfContext& context, const std::string& path, const Value& value,
@@ -75,20 +75,20 @@ void readGrid(const GltfContext& context, const std::string& path, const Value& 
   if (!size.IsArray() || size.ArrayLen() != 3)
     context.fail(path + ".size", "expected an array of 3 whole numbers");
   for (int i = 0; i < 3; ++i)
-    medium.size[i] = whole(context, fieldAt(path + ".size", size_t(i)), size.Get(size_t(i)), 1,
-                           kMostCells);
+    medium.size[i] =
+        whole(context, fieldAt(path + ".size", size_t(i)), size.Get(size_t(i)), 1, kMostCells);
   const std::string field = path + ".density";
   const size_t accessors = context.model.accessors.size();
   if (accessors == 0) context.fail(field, "names an accessor, but the file has none");
-  const int index =
-      int(whole(context, field, value.Get("density"), 0, double(accessors - 1)));
+  const int index = int(whole(context, field, value.Get("density"), 0, double(accessors - 1)));
   const size_t cells = size_t(medium.size.x) * medium.size.y * medium.size.z;
   if (componentCount(context, field, index) != 1 ||
       context.model.accessors[size_t(index)].count != cells)
     context.fail(field, "is " + fieldAt("accessors", size_t(index)) + " of " +
                             std::to_string(context.model.accessors[size_t(index)].count) +
-                            " elements of " + std::to_string(componentCount(context, field, index)) +
-                            ", expected " + std::to_string(cells) + " of 1, as the size says");
+                            " elements of " +
+                            std::to_string(componentCount(context, field, index)) + ", expected " +
+                            std::to_string(cells) + " of 1, as the size says");
   context.source.take(field, cells, sizeof(float));
   medium.density = readFloats(context, field, index, 1);
   for (size_t i = 0; i < cells; ++i)
@@ -157,8 +157,8 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
     return;
   }
   if (context.scene.media.size() == kMaxMedia)
-    context.fail(path, "is one medium more than the " + std::to_string(kMaxMedia) +
-                           " that are read");
+    context.fail(path,
+                 "is one medium more than the " + std::to_string(kMaxMedia) + " that are read");
   context.scene.media.push_back(std::move(medium));
 }
 

@@ -16,7 +16,7 @@ namespace sb {
 namespace {
 
 const std::vector<ProceduralScene>& registry() {
-  static const std::vector<ProceduralScene> kScenes = {layers(), panes(), spheresQuads(),
+  static const std::vector<ProceduralScene> kScenes = {layers(), panes(),      spheresQuads(),
                                                        teapot(), roseWindow(), fog()};
   return kScenes;
 }
