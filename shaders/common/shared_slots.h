@@ -13,7 +13,7 @@
 #define UNIFORM_TECHNIQUE 2     // the shadow technique's block
 #define UNIFORM_TRANSPARENCY 3  // the transparency technique's block
 #define UNIFORM_PASS 4          // parameters of one pass (light index, layer, ...)
-#define UNIFORM_LIGHTS 6        // the light technique's block
+#define UNIFORM_MEDIA 7         // MediaBlock, where the plan runs participating media
 
 #define STORAGE_INSTANCES 0
 #define STORAGE_MATERIALS 1

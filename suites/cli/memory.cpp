@@ -28,6 +28,7 @@ uint64_t bytesOf(const Scene& scene) {
     bytes += bytesOf(m.positions) + bytesOf(m.normals) + bytesOf(m.tangents) + bytesOf(m.uv0) +
              bytesOf(m.uv1) + bytesOf(m.colors) + bytesOf(m.indices) + bytesOf(m.triangleKeys);
   for (const Image& image : scene.images) bytes += bytesOf(image.rgba);
+  for (const Medium& medium : scene.media) bytes += bytesOf(medium.density);
   return bytes;
 }
 
@@ -62,8 +63,9 @@ void requireMemory(const Scene& scene, rhi::Extent2D size, Made made) {
     return require("the visibility of " + lights + " at " + shown, each * pixels);
   }
   // Beside it the picture that it is compared with, and the technique's own visibility of a light.
-  uint64_t each = layers * kVisibility + kTruthLayers * (1 + kPicture) + 4 * kPicture;
-  if (made == Made::TruthFiles) each += layers * report::kExrWritingBytes;
+  const uint64_t traced = layers + (scene.media.empty() ? 0 : scene.lights.size());
+  uint64_t each = traced * kVisibility + kTruthLayers * (1 + kPicture) + 4 * kPicture;
+  if (made == Made::TruthFiles) each += traced * report::kExrWritingBytes;
   require("a truth of " + shown + " with " + lights, each * pixels);
 }
 

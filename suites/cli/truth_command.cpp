@@ -35,6 +35,8 @@ void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
   for (uint32_t light = 0; light < scene.lights.size(); ++light)
     for (uint32_t layer = 0; layer < kTruthLayers; ++layer)
       layers[{light, layer}] = &truth.visibility[light * kTruthLayers + layer];
+  for (uint32_t light = 0; light < truth.mediaVisibility.size(); ++light)
+    layers[{light, kWithinMedia}] = &truth.mediaVisibility[light];
   if (!layers.empty()) writeVisibility(prefix, {truth.width, truth.height}, std::move(layers));
   std::vector<float> edges;
   for (const uint8_t e : truth.imageEdges)

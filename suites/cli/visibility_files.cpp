@@ -22,6 +22,7 @@ bool holdsNothing(const std::vector<float>& rgba) {
 }
 
 std::string layerName(uint32_t layer) {
+  if (layer == kWithinMedia) return "media";
   return layer == 0 ? "opaque" : "layer" + std::to_string(layer);
 }
 

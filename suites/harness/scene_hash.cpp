@@ -54,7 +54,8 @@ std::string sceneHash(const Scene& scene) {
     b << l.type << l.position << l.direction << l.color << l.intensity << l.range << l.innerCone
       << l.outerCone << l.radius << l.key;
   for (const Medium& m : scene.media)
-    b << m.kind << m.boxToWorld << m.extinction << m.albedo << m.anisotropy << m.seed;
+    b << m.kind << m.boxToWorld << m.extinction << m.albedo << m.anisotropy << m.seed << m.time
+      << m.size << m.density;
   const Camera& c = scene.camera();
   b << c.toWorld << c.orthographic << c.fovY << c.halfHeight << c.nearPlane << c.farPlane
     << scene.ambient << scene.background;

@@ -43,7 +43,8 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
       m_width(width),
       m_height(height),
       m_triangles(truthTriangles(scene, scene.camera().eye())),
-      m_traits(surfaceTraits(scene)) {
+      m_traits(surfaceTraits(scene)),
+      m_media(scene, scene.camera().eye()) {
   const dvec3 eye = scene.camera().eye();
   for (uint32_t i = 0; i < scene.lights.size(); ++i) {
     m_lights.push_back(lightData(scene.lights[i], i, eye));
@@ -76,6 +77,12 @@ TruthRay RayScene::cameraRay(double x, double y) const {
     ray.direction = axes * dvec3(u * tangent, v * tangent, -1);
   }
   return ray;
+}
+
+MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, double to) const {
+  const TruthRay ray = cameraRay(x, y);
+  const double length = glm::length(ray.direction);
+  return {ray.origin, ray.direction / length, from * length, to * length};
 }
 
 void RayScene::cameraHits(double x, double y, CameraHits& out) const {
@@ -214,7 +221,9 @@ dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
   if (blocked) return dvec3(0);
   dvec3 passed(1);
   for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());
-  return passed;
+  if (m_media.empty()) return passed;
+  const double length = glm::length(ray.direction);
+  return passed * m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
 }
 
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,

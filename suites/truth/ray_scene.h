@@ -5,6 +5,7 @@
 #pragma once
 
 #include "shaders/common/shared_shading.h"
+#include "suites/truth/media.h"
 #include "suites/truth/surface.h"
 #include "suites/truth/tracer.h"
 #include "techniques/scene/camera.h"
@@ -26,8 +27,8 @@ class RayScene {
   void cameraHits(double x, double y, CameraHits& out) const;
   Tracer::Point point(double x, double y, const TruthHit& hit) const;
 
-  /// Product of what each surface between lets through; 0 at the first opaque one. `ownNear`: the
-  /// receiver's own instance does not count within that distance.
+  /// Product of what each surface and medium between lets through; 0 at the first opaque one.
+  /// `ownNear`: the receiver's own instance does not count within that distance.
   glm::dvec3 visibility(uint32_t light, const Tracer::Point& point, std::vector<TruthHit>& scratch,
                         double ownNear = 0) const;
   /// Where the receiver's own instance lies nearest to `point` along the light, `reach` to either
@@ -42,6 +43,10 @@ class RayScene {
   glm::dvec3 toLight(uint32_t light, const glm::dvec3& position) const;
   /// Relative to the eye; local lights.
   const glm::dvec3& lightPosition(uint32_t light) const { return m_lightPositions[light]; }
+
+  const MediaField& media() const { return m_media; }
+  /// A piece of a camera ray, between two depths as TruthHit::t counts them.
+  MediaField::Stretch cameraStretch(double x, double y, double from, double to) const;
 
   Surface surface(const TruthHit& hit) const;
   const Scene& scene() const { return m_scene; }
@@ -65,6 +70,7 @@ class RayScene {
   std::vector<SurfaceTraits> m_traits;
   std::vector<gpu::LightData> m_lights;
   std::vector<glm::dvec3> m_lightPositions;
+  MediaField m_media;
   double m_reach;  ///< farthest coordinate of anything
   std::unique_ptr<Bvh> m_bvh;
 };

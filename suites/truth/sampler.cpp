@@ -19,6 +19,7 @@ void Sampler::find(double x, double y) {
       ++m_rays;
     }
   }
+  m_media.find(x, y, m_found);
 }
 
 float Sampler::reflected(size_t layer, uint32_t light) const {
@@ -34,8 +35,9 @@ float Sampler::reflected(size_t layer, uint32_t light) const {
   return std::max(0.0f, glm::dot(radiance, glm::vec3(0.2126f, 0.7152f, 0.0722f)));
 }
 
-glm::vec3 Sampler::color() const {
+glm::vec3 Sampler::color() {
   glm::vec3 color = m_scene.scene().background;
+  if (!m_found.endsOpaque) color = m_media.through(m_layers.size(), color);
   std::vector<Surface::Arrival> arrivals;
   for (size_t i = m_layers.size(); i-- > 0;) {
     const Layer& layer = m_layers[i];
@@ -56,6 +58,7 @@ glm::vec3 Sampler::color() const {
       const gpu::OpticsData optics = surface.optics();
       color = color * optics.behind + radiance * optics.alpha;
     }
+    color = m_media.through(i, color);
   }
   return color;
 }

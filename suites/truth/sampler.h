@@ -1,13 +1,13 @@
 // One position of the picture after the other: the layers there, their visibility, their colour.
 #pragma once
 
-#include "suites/truth/ray_scene.h"
+#include "suites/truth/media_view.h"
 
 namespace sb {
 
 class Sampler {
  public:
-  explicit Sampler(const RayScene& scene) : m_scene(scene) {}
+  explicit Sampler(const RayScene& scene) : m_scene(scene), m_media(scene) {}
 
   /// Finds the layers at a position, in pixels.
   void find(double x, double y);
@@ -23,11 +23,13 @@ class Sampler {
   /// Luminance that a light would send to the eye from a layer if nothing shadowed it.
   float reflected(size_t layer, uint32_t light) const;
   /// Composited from back to front.
-  glm::vec3 color() const;
-  uint64_t rays() const { return m_rays; }
+  glm::vec3 color();
+  const MediaView& media() const { return m_media; }
+  uint64_t rays() const { return m_rays + m_media.rays(); }
 
  private:
   const RayScene& m_scene;
+  MediaView m_media;
   RayScene::CameraHits m_found;
   std::vector<Layer> m_layers;
   std::vector<TruthHit> m_scratch;

@@ -156,8 +156,6 @@ std::vector<std::string> notYetRepresented(const Scene& scene) {
   for (const Light& light : scene.lights)
     if (light.radius > 0)
       missing.push_back("light '" + light.name + "' has a radius: area lights");
-  for (const Medium& medium : scene.media)
-    missing.push_back("medium '" + medium.name + "': participating media");
   return missing;
 }
 

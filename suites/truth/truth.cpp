@@ -28,7 +28,9 @@ bool surfaceJumps(const Sampler::Layer& a, const Sampler::Layer& b) {
          glm::dot(a.point.normal, b.point.normal) < kCosTurn;
 }
 
-bool visibilityJumps(const Sampler::Layer& a, const Sampler::Layer& b, uint32_t light) {
+/// Of layers, or of points in media.
+template <class Asked>
+bool visibilityJumps(const Asked& a, const Asked& b, uint32_t light) {
   if (a.asked[light] != b.asked[light]) return true;
   return glm::any(glm::greaterThan(glm::abs(a.visible[light] - b.visible[light]),
                                    glm::dvec3(kJump)));
@@ -46,6 +48,10 @@ class Tracing {
     m_truth.reflected.assign(images, std::vector<float>(pixels, 0.0f));
     m_truth.edges.assign(images, std::vector<uint8_t>(pixels, 0));
     m_truth.surfaces.assign(kTruthLayers, std::vector<uint8_t>(pixels, 0));
+    if (!scene.media().empty()) {
+      m_truth.mediaVisibility.assign(scene.lights(), std::vector<float>(4 * pixels, 0.0f));
+      m_truth.mediaEdges.assign(scene.lights(), std::vector<uint8_t>(pixels, 0));
+    }
     m_truth.image.assign(4 * pixels, 0.0f);
     m_truth.imageEdges.assign(pixels, 0);
   }
@@ -65,6 +71,7 @@ class Tracing {
       dilate(mask);
       for (size_t i = 0; i < mask.size(); ++i) m_truth.imageEdges[i] |= mask[i];
     }
+    for (auto& mask : m_truth.mediaEdges) dilate(mask);
     dilate(m_depthEdges);
     for (size_t i = 0; i < m_depthEdges.size(); ++i) m_truth.imageEdges[i] |= m_depthEdges[i];
     m_truth.rays = m_rays;
@@ -102,6 +109,13 @@ class Tracing {
         m_truth.reflected[size_t(l) * kTruthLayers + layer][pixel] = centre.reflected(*index, l);
       }
     }
+    for (uint32_t l = 0; l < m_truth.mediaVisibility.size(); ++l) {
+      const MediaView::Point& point = centre.media().point();
+      if (!point.asked[l]) continue;
+      float* out = m_truth.mediaVisibility[l].data() + 4 * pixel;
+      for (int c = 0; c < 3; ++c) out[c] = float(point.visible[l][c]);
+      out[3] = 1;
+    }
     for (int corner = 0; corner < 4; ++corner) {
       beside.find(x + 0.5 + (corner & 1 ? kOffset : -kOffset),
                   y + 0.5 + (corner & 2 ? kOffset : -kOffset));
@@ -120,6 +134,9 @@ class Tracing {
         if (jumps || visibilityJumps(a.layers()[*i], b.layers()[*j], l))
           m_truth.edges[size_t(l) * kTruthLayers + layer][pixel] = 1;
     }
+    for (uint32_t l = 0; l < m_truth.mediaEdges.size(); ++l)
+      if (visibilityJumps(a.media().point(), b.media().point(), l))
+        m_truth.mediaEdges[l][pixel] = 1;
   }
 
   /// Grows a mask by kDilate pixels, corners included.

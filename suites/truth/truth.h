@@ -33,7 +33,12 @@ struct Truth {
   std::vector<std::vector<float>> reflected;
   /// Per layer: 1 where a surface is, 2 where that surface is translucent to the light.
   std::vector<std::vector<uint8_t>> surfaces;
-  std::vector<float> image;         ///< linear RGBA, alpha 1
+  /// By light, of scenes with media alone (else empty): as `visibility`, at the point in media of
+  /// each pixel (MediaView::Point), alpha 1 where the light's radiance reaches it.
+  std::vector<std::vector<float>> mediaVisibility;
+  std::vector<std::vector<uint8_t>> mediaEdges;  ///< same index: where it jumps, as `edges`
+  /// Linear RGBA, alpha 1. What media scatter is right to a thousandth (suites/truth/media.h).
+  std::vector<float> image;
   std::vector<uint8_t> imageEdges;  ///< union of all edges
   double standardError = 0;         ///< of visibility; 0: exact
   uint64_t rays = 0;                ///< camera and shadow rays of everything above

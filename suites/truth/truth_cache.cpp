@@ -96,6 +96,11 @@ std::string payloadOf(const Truth& t) {
   out.lists(t.edges);
   out.lists(t.reflected);
   out.lists(t.surfaces);
+  // Truths of scenes without media keep their bytes.
+  if (!t.mediaVisibility.empty()) {
+    out.lists(t.mediaVisibility);
+    out.lists(t.mediaEdges);
+  }
   return out.take();
 }
 
@@ -107,8 +112,13 @@ bool parse(std::string_view payload, Truth& t) {
   const uint64_t pixels = uint64_t(t.width) * t.height;
   return in.list(t.image, 4 * pixels) && in.list(t.imageEdges, pixels) &&
          in.lists(t.visibility, 4 * pixels) && in.lists(t.edges, pixels) &&
-         in.lists(t.reflected, pixels) && in.lists(t.surfaces, pixels) && in.atEnd() && t.surfaces.size() == kTruthLayers &&
-         t.visibility.size() == t.edges.size() && t.visibility.size() == t.reflected.size() && t.visibility.size() % kTruthLayers == 0;
+         in.lists(t.reflected, pixels) && in.lists(t.surfaces, pixels) &&
+         (in.atEnd() ||
+          (in.lists(t.mediaVisibility, 4 * pixels) && in.lists(t.mediaEdges, pixels) &&
+           in.atEnd() && t.mediaVisibility.size() * kTruthLayers == t.visibility.size() &&
+           t.mediaEdges.size() == t.mediaVisibility.size())) &&
+         t.surfaces.size() == kTruthLayers && t.visibility.size() == t.edges.size() &&
+         t.visibility.size() == t.reflected.size() && t.visibility.size() % kTruthLayers == 0;
 }
 
 std::string headerOf(const std::string& key, std::string_view payload) {

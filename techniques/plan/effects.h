@@ -65,6 +65,7 @@ struct LightEffects {
   std::vector<uint32_t> opaqueCasters;
   std::vector<uint32_t> perforatedCasters;
   std::vector<uint32_t> translucentCasters;
+  std::vector<uint32_t> media;  ///< into Scene::media: may dim the light on its way to the view
   bool casts() const {
     return touchesView &&
            !(opaqueCasters.empty() && perforatedCasters.empty() && translucentCasters.empty());
@@ -76,6 +77,7 @@ struct ViewEffects {
   std::vector<LightEffects> lights;      ///< one per Scene::lights entry, in order
   std::vector<uint32_t> visibleOpaque;       ///< instances in the frustum, seen as opaque or masked
   std::vector<uint32_t> visibleTranslucent;  ///< instances the camera sees through
+  std::vector<uint32_t> visibleMedia;        ///< into Scene::media: before the camera
 };
 
 /// The analysis of scene + camera + lights. Of a camera in motion: what any step of its path shows

@@ -118,9 +118,11 @@ struct Light {
   uint32_t key = 0;  ///< persistent, unique; part of every random number
 };
 
-enum class MediumKind : uint8_t { Homogeneous, Smoke };
+enum class MediumKind : uint8_t { Homogeneous, Smoke, Grid };
 
-/// A participating medium in an oriented box (spec 14). extras.shadowbench {"medium": {...}}.
+/// A participating medium in an oriented box (spec 14): it scatters what lights send there once,
+/// and neither emits nor scatters ambient light. Where several overlap, densities add. At most
+/// kMaxMedia (medium_data.h) a scene. extras.shadowbench {"medium": {...}}.
 struct Medium {
   std::string name;
   MediumKind kind = MediumKind::Homogeneous;
@@ -128,7 +130,12 @@ struct Medium {
   glm::vec3 extinction = glm::vec3(0);     ///< sigma_t of density 1, per world unit
   glm::vec3 albedo = glm::vec3(0);
   float anisotropy = 0;                    ///< Henyey-Greenstein g
-  uint32_t seed = 0;
+  uint32_t seed = 0;                       ///< Smoke
+  double time = 0;                         ///< seconds that the smoke has been rising
+  glm::uvec3 size = glm::uvec3(0);         ///< Grid: cells along x, y, z
+  /// Grid: densities at the middles of cells, x fastest, z slowest; trilinear between, constant
+  /// beyond the outermost.
+  std::vector<float> density;
 };
 
 /// A pinhole camera (or an orthographic one). Looks down -z of its frame, y up.

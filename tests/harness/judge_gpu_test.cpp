@@ -82,6 +82,24 @@ GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
   EXPECT_GT(r.visibility->all.bias, 0);
 }
 
+GPU_TEST(JudgeCells, AMediumThatNoTechniqueShowsIsItsError) {
+  // Mist of depth 1 above the right half of the floor, out of view: light is said to pass.
+  Scene scene = floorScene();
+  scene.media.push_back({.name = "mist", .extinction = glm::vec3(0.5f), .albedo = glm::vec3(1)});
+  scene.media[0].boxToWorld = glm::dmat4(4, 0, 0, 0, 0, 2, 0, 0, 0, 0, 8, 0, 0, 1, -4, 1);
+  const report::Record r = judged(cellDevice(device()), scene, small("ShadowMap"));
+  ASSERT_TRUE(r.visibility && r.image);
+  const double taken = 1 - std::exp(-1.0);
+  EXPECT_NEAR(r.visibility->all.rmse, taken * std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(r.visibility->all.bias, taken / 2, 1e-3);
+  // Two of 32 columns lie so near its edge that a lookup might have found it.
+  EXPECT_NEAR(shareOf(r, "leaking"), 30.0 / 32, 1e-9);
+  // In view it is missing from the picture as well.
+  scene.media[0].boxToWorld[3].y = -1;
+  scene.media[0].boxToWorld[1].y = 1.25;
+  EXPECT_GT(judged(cellDevice(device()), scene, small("ShadowMap")).image->all.rmse, 0.01);
+}
+
 GPU_TEST(JudgeCells, WhatALightGrazesHardlyCountsByLight) {
   // A cube whose front the light grazes lies in the shadow of a lid, a slanted board in the light:
   // without shadows the front alone is wrong.

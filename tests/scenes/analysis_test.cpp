@@ -170,6 +170,7 @@ TEST_F(AnalysisTest, LocalLightsReachAsFarAsTheySay) {
 
 TEST_F(AnalysisTest, MediaInViewOrOnTheWay) {
   Medium medium;
+  medium.extinction = glm::vec3(1);
   medium.boxToWorld = at(20, 5, 0);
   m_scene.media = {medium};
   EXPECT_FALSE(has(Effect::ParticipatingMedia));

@@ -47,7 +47,7 @@ TEST(Procedural, CanonicalSpecs) {
 }
 
 TEST(Procedural, InfosAreComplete) {
-  EXPECT_EQ(proceduralScenes().size(), 5u);
+  EXPECT_EQ(proceduralScenes().size(), 6u);
   for (const SceneInfo& scene : proceduralScenes()) {
     EXPECT_FALSE(scene.help.empty());
     for (const SceneParam& param : scene.params) {

@@ -2,12 +2,14 @@
 set(SHADOWBENCH_SHARED_SCENES ${CMAKE_SOURCE_DIR}/../shared/scenes CACHE PATH
   "Scenes made by others; tests that use them say so when they are not there")
 target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/analysis_media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/analysis_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/export_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_broken_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_choices_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_limits_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_posed_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/optics_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/procedural_test.cpp

@@ -15,6 +15,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/layer_probe.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_loop_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/local_lights_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/medium_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
@@ -37,6 +38,8 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/media_plan_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/medium_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp

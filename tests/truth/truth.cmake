@@ -1,6 +1,8 @@
 # The tracer needs no driver; that techniques agree with it does.
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/coplanar_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/media_field_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rays_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/texture_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_cache_test.cpp

@@ -54,6 +54,23 @@ TEST_F(TruthCache, GivesBackWhatWasWritten) {
   EXPECT_EQ(t->rays, m_truth.rays);
 }
 
+TEST_F(TruthCache, LayersWithinMediaAreKept) {
+  const size_t without = writeTruth(m_folder, m_key, m_truth) ? bytes().size() : 0;
+  EXPECT_TRUE(readTruth(m_folder, m_key)->mediaVisibility.empty());
+  const size_t pixels = 16 * 8, lights = m_truth.visibility.size() / kTruthLayers;
+  m_truth.mediaVisibility.assign(lights, std::vector<float>(4 * pixels, 0.25f));
+  m_truth.mediaEdges.assign(lights, std::vector<uint8_t>(pixels, 1));
+  ASSERT_TRUE(writeTruth(m_folder, m_key, m_truth));
+  EXPECT_EQ(bytes().size(), without + 2 * 8 + lights * (2 * 8 + 17 * pixels));
+  const auto t = readTruth(m_folder, m_key);
+  ASSERT_TRUE(t);
+  EXPECT_EQ(t->mediaVisibility, m_truth.mediaVisibility);
+  EXPECT_EQ(t->mediaEdges, m_truth.mediaEdges);
+  m_truth.mediaEdges.pop_back();
+  ASSERT_TRUE(writeTruth(m_folder, m_key, m_truth));
+  EXPECT_FALSE(readTruth(m_folder, m_key));
+}
+
 TEST_F(TruthCache, ReadsNothingThatIsDamagedOrOfAnotherKey) {
   ASSERT_TRUE(writeTruth(m_folder, m_key, m_truth));
   const std::string whole = bytes();

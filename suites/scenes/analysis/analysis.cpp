@@ -1,10 +1,11 @@
-#include "base/text.h"
 #include "suites/scenes/analysis/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "suites/scenes/analysis/parts.h"
+#include "techniques/scene/medium_data.h"
 #include "techniques/scene/mesh_shape.h"
 
 namespace sb {
@@ -85,7 +86,7 @@ void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
              "no visible translucent instance lies in another's shadow");
 }
 
-void noteLights(const Analysis& a, const Effects& effects, bool mediumBetween, Notes& notes) {
+void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
   size_t touching = 0, local = 0, area = 0;
   for (const LightEffects& light : effects.lights) {
     if (!light.touchesView) continue;
@@ -102,12 +103,29 @@ void noteLights(const Analysis& a, const Effects& effects, bool mediumBetween, N
              counted(local, "point or spot light touches", "point or spot lights touch") +
                  " the view",
              "no point or spot light touches the view");
-  const size_t seen = size_t(std::ranges::count(a.mediumSeen, true));
-  notes.note(Effect::ParticipatingMedia, seen > 0 || mediumBetween,
+}
+
+void noteMedia(const Analysis& a, const Effects& effects, Notes& notes) {
+  const size_t seen = effects.visibleMedia.size();
+  const bool between =
+      std::ranges::any_of(effects.lights, [](const LightEffects& l) { return !l.media.empty(); });
+  const bool thin =
+      std::ranges::all_of(a.media, [](const AnalysedMedium& m) { return m.box.empty(); });
+  notes.note(Effect::ParticipatingMedia, seen > 0 || between,
              seen > 0 ? counted(seen, "medium box", "medium boxes") + " in view"
                       : "a medium lies between a light and the view",
              a.media.empty() ? "the scene has no medium"
+             : thin          ? "no medium is dense enough to be seen"
                              : "no medium is in view or between a light and the view");
+}
+
+/// The camera's view of media, which its near and far planes do not cut.
+Camera uncut(Camera camera, const std::vector<AnalysedMedium>& media) {
+  camera.nearPlane = 0;
+  for (const AnalysedMedium& medium : media)
+    for (int i = 0; i < 8 && !medium.box.empty(); ++i)
+      camera.farPlane = std::max(camera.farPlane, glm::length(medium.box.corner(i)));
+  return camera;
 }
 
 void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
@@ -171,9 +189,15 @@ Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& came
     a.flat = traits.flat[instance.mesh];
   }
   for (const Medium& medium : scene.media) {
-    media.push_back(transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, eye));
-    mediumSeen.push_back(view.mayShow(media.back()));
+    AnalysedMedium& m = media.emplace_back();
+    if (greatestDepth(medium) >= kThinnest)
+      m.box = transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, eye);
+    m.scatters = medium.albedo != glm::vec3(0);
   }
+  if (media.empty()) return;
+  const ViewVolume before(uncut(camera, media), aspect);
+  mediaView = before.bounds();
+  for (AnalysedMedium& medium : media) medium.visible = before.mayShow(medium.box);
 }
 
 Effects analyseView(const Analysis& a) {
@@ -182,13 +206,14 @@ Effects analyseView(const Analysis& a) {
     if (a.instances[i].visible)
       (a.instances[i].seeThrough() ? effects.visibleTranslucent : effects.visibleOpaque)
           .push_back(i);
-  bool mediumBetween = false;
-  for (uint32_t i = 0; i < a.scene.lights.size(); ++i)
-    effects.lights.push_back(analyseLight(a, i, mediumBetween));
+  for (uint32_t m = 0; m < a.media.size(); ++m)
+    if (a.media[m].visible) effects.visibleMedia.push_back(m);
+  for (uint32_t i = 0; i < a.scene.lights.size(); ++i) effects.lights.push_back(analyseLight(a, i));
   Notes notes(effects);
   noteCasters(a, effects, notes);
   noteOverlap(a, effects, notes);
-  noteLights(a, effects, mediumBetween, notes);
+  noteLights(a, effects, notes);
+  noteMedia(a, effects, notes);
   noteView(a, effects, notes);
   return effects;
 }

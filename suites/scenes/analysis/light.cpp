@@ -6,24 +6,24 @@
 namespace sb {
 namespace {
 
-// Bounds around everything the light shades in the picture: boxes of visible surfaces and media, cut
-// to the view.
+// Bounds around everything the light shades in the picture: boxes of visible surfaces and of media
+// that scatter, cut to the view.
 Bounds receiverBounds(const Analysis& analysis, const LightReach& reach) {
   Bounds bounds;
-  const auto add = [&](const Bounds& box) {
-    const Bounds seen = box.clippedTo(analysis.view.bounds());
+  const auto add = [&](const Bounds& box, const Bounds& view) {
+    const Bounds seen = box.clippedTo(view);
     if (!seen.empty() && reach.mayLight(seen)) bounds.add(seen);
   };
   for (const AnalysedInstance& instance : analysis.instances)
-    if (instance.visible && instance.lit) add(instance.box);
-  for (size_t m = 0; m < analysis.media.size(); ++m)
-    if (analysis.mediumSeen[m]) add(analysis.media[m]);
+    if (instance.visible && instance.lit) add(instance.box, analysis.view.bounds());
+  for (const AnalysedMedium& medium : analysis.media)
+    if (medium.visible && medium.scatters) add(medium.box, analysis.mediaView);
   return bounds;
 }
 
 }  // namespace
 
-LightEffects analyseLight(const Analysis& analysis, uint32_t index, bool& mediumBetween) {
+LightEffects analyseLight(const Analysis& analysis, uint32_t index) {
   LightEffects light;
   light.light = index;
   const LightReach reach(analysis.scene.lights[index], analysis.eye);
@@ -52,7 +52,9 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index, bool& medium
         break;
     }
   }
-  mediumBetween |= std::ranges::any_of(analysis.media, mayCast);
+  for (uint32_t m = 0; m < analysis.media.size(); ++m)
+    if (const Bounds& box = analysis.media[m].box; !box.empty() && mayCast(box))
+      light.media.push_back(m);
   return light;
 }
 

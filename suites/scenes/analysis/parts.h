@@ -20,6 +20,13 @@ struct AnalysedInstance {
   bool passesLight() const { return traits.lightClass == MaterialClass::Translucent; }
 };
 
+/// One medium as the analysis sees it.
+struct AnalysedMedium {
+  Bounds box;            ///< relative to the eye; empty if the medium is too thin to be seen
+  bool visible = false;  ///< may lie before the camera; near and far plane do not cut media
+  bool scatters = false;
+};
+
 /// What does not depend on the camera.
 struct SceneTraits {
   explicit SceneTraits(const Scene& scene);
@@ -33,8 +40,8 @@ struct Analysis {
   glm::dvec3 eye;
   ViewVolume view;
   std::vector<AnalysedInstance> instances;
-  std::vector<Bounds> media;        ///< relative to the eye
-  std::vector<bool> mediumSeen;  ///< in the view
+  std::vector<AnalysedMedium> media;
+  Bounds mediaView;  ///< around what of media is before the camera
 };
 
 /// What the scene calls for through one camera.
@@ -42,9 +49,8 @@ Effects analyseView(const Analysis& analysis);
 /// What a path calls for, of the analyses of its steps.
 Effects uniteSteps(std::vector<Effects> steps);
 
-/// Fills `light`'s part of the effects. `mediumBetween` becomes true if a medium can dim the light
-/// on its way to what is visible.
-LightEffects analyseLight(const Analysis& analysis, uint32_t light, bool& mediumBetween);
+/// Fills `light`'s part of the effects.
+LightEffects analyseLight(const Analysis& analysis, uint32_t light);
 
 /// Two instances' indices; first == second: one instance with itself.
 struct Overlap {

@@ -16,6 +16,7 @@ void addAll(std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
 void addView(ViewEffects& to, const ViewEffects& from) {
   addAll(to.visibleOpaque, from.visibleOpaque);
   addAll(to.visibleTranslucent, from.visibleTranslucent);
+  addAll(to.visibleMedia, from.visibleMedia);
   to.lights.resize(from.lights.size());
   for (size_t i = 0; i < from.lights.size(); ++i) {
     LightEffects& light = to.lights[i];
@@ -24,6 +25,7 @@ void addView(ViewEffects& to, const ViewEffects& from) {
     addAll(light.opaqueCasters, from.lights[i].opaqueCasters);
     addAll(light.perforatedCasters, from.lights[i].perforatedCasters);
     addAll(light.translucentCasters, from.lights[i].translucentCasters);
+    addAll(light.media, from.lights[i].media);
   }
 }
 

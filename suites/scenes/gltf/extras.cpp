@@ -2,16 +2,18 @@
 // them alone (described for users in EXTRAS.md):
 //   material  {"alpha": 0..1, "t": [r,g,b] 0..1}   opacity and transmission colour stated outright
 //   light     {"radius": r >= 0}                   world units (point, spot) or radians
-//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
-//              "albedo": [r,g,b] 0..1, "anisotropy": -1..1, "seed": 0..}}
+//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke"|"grid",
+//              "extinction": [r,g,b] >= 0, "albedo": [r,g,b] 0..1, "anisotropy": -1..1,
+//              "seed": 0.., "time": 0.., "size": [x,y,z], "density": accessor}}
 //                                                  fills the node's unit cube [0,1]^3
 //   scene     {"ambient": [r,g,b] >= 0, "sky": [r,g,b] >= 0, "background": [r,g,b] >= 0}
 #include <array>
 #include <cfloat>
 #include <cmath>
 
-#include "suites/scenes/gltf/context.h"
+#include "suites/scenes/gltf/roots.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/medium_data.h"
 
 namespace sb {
 namespace {
@@ -45,6 +47,13 @@ double number(const GltfContext& context, const std::string& field, const Value&
   return d;
 }
 
+uint32_t whole(const GltfContext& context, const std::string& field, const Value& value, double low,
+               double high) {
+  const double d = number(context, field, value, low, high);
+  if (d != std::floor(d)) context.fail(field, "is " + shown(d) + ", expected a whole number");
+  return uint32_t(d);
+}
+
 glm::vec3 triple(const GltfContext& context, const std::string& field, const Value& value,
                  double high) {
   if (!value.IsArray() || value.ArrayLen() != 3)
@@ -53,6 +62,39 @@ glm::vec3 triple(const GltfContext& context, const std::string& field, const Val
   for (int i = 0; i < 3; ++i)
     v[i] = float(number(context, fieldAt(field, size_t(i)), value.Get(size_t(i)), 0, high));
   return v;
+}
+
+constexpr double kMostCells = 512;    ///< of a grid, along an axis
+constexpr double kLongestTime = 1e6;  ///< seconds
+
+void readGrid(const GltfContext& context, const std::string& path, const Value& value,
+              Medium& medium) {
+  for (const char* key : {"size", "density"})
+    if (!value.Has(key)) context.fail(path + "." + key, "is missing");
+  const Value& size = value.Get("size");
+  if (!size.IsArray() || size.ArrayLen() != 3)
+    context.fail(path + ".size", "expected an array of 3 whole numbers");
+  for (int i = 0; i < 3; ++i)
+    medium.size[i] =
+        whole(context, fieldAt(path + ".size", size_t(i)), size.Get(size_t(i)), 1, kMostCells);
+  const std::string field = path + ".density";
+  const size_t accessors = context.model.accessors.size();
+  if (accessors == 0) context.fail(field, "names an accessor, but the file has none");
+  const int index = int(whole(context, field, value.Get("density"), 0, double(accessors - 1)));
+  const size_t cells = size_t(medium.size.x) * medium.size.y * medium.size.z;
+  if (componentCount(context, field, index) != 1 ||
+      context.model.accessors[size_t(index)].count != cells)
+    context.fail(field, "is " + fieldAt("accessors", size_t(index)) + " of " +
+                            std::to_string(context.model.accessors[size_t(index)].count) +
+                            " elements of " +
+                            std::to_string(componentCount(context, field, index)) + ", expected " +
+                            std::to_string(cells) + " of 1, as the size says");
+  context.source.take(field, cells, sizeof(float));
+  medium.density = readFloats(context, field, index, 1);
+  for (size_t i = 0; i < cells; ++i)
+    if (!(medium.density[i] >= 0))
+      context.fail(field, "element " + std::to_string(i) + " is " + shown(medium.density[i]) +
+                              ", expected a number of at least 0");
 }
 
 }  // namespace
@@ -82,20 +124,22 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
   const Value& value = ours->Get("medium");
   const std::string path = field + ".extras.shadowbench.medium";
   if (!value.IsObject()) context.fail(path, "expected an object");
-  const std::vector<std::string> known = {"kind", "extinction", "albedo", "anisotropy", "seed"};
-  for (const std::string& key : value.Keys())
-    if (std::ranges::find(known, key) == known.end())
-      context.fail(path, unknownName("key", key, known));
   Medium medium;
   medium.boxToWorld = toWorld;
   if (value.Has("kind")) {
     const Value& kind = value.Get("kind");
     const std::string name = kind.IsString() ? kind.Get<std::string>() : "";
-    const std::vector<std::string> kinds = {"homogeneous", "smoke"};
-    if (std::ranges::find(kinds, name) == kinds.end())
+    const std::vector<std::string> kinds = {"homogeneous", "smoke", "grid"};
+    const auto found = std::ranges::find(kinds, name);
+    if (found == kinds.end())
       context.fail(path + ".kind", unknownName("kind of medium", name, kinds));
-    medium.kind = name == "smoke" ? MediumKind::Smoke : MediumKind::Homogeneous;
+    medium.kind = MediumKind(found - kinds.begin());
   }
+  std::vector<std::string> known = {"kind", "extinction", "albedo", "anisotropy", "seed", "time"};
+  if (medium.kind == MediumKind::Grid) known.insert(known.end(), {"size", "density"});
+  for (const std::string& key : value.Keys())
+    if (std::ranges::find(known, key) == known.end())
+      context.fail(path, unknownName("key", key, known));
   if (!value.Has("extinction")) context.fail(path + ".extinction", "is missing");
   medium.extinction = triple(context, path + ".extinction", value.Get("extinction"), FLT_MAX);
   if (value.Has("albedo"))
@@ -105,7 +149,17 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
         float(number(context, path + ".anisotropy", value.Get("anisotropy"), -1, 1));
   if (value.Has("seed"))
     medium.seed = uint32_t(number(context, path + ".seed", value.Get("seed"), 0, 4294967295.0));
-  context.scene.media.push_back(medium);
+  if (value.Has("time"))
+    medium.time = number(context, path + ".time", value.Get("time"), 0, kLongestTime);
+  if (medium.kind == MediumKind::Grid) readGrid(context, path, value, medium);
+  if (flattens(toWorld)) {
+    context.warn(field + " is flattened by its transform (scale 0): its medium is left out");
+    return;
+  }
+  if (context.scene.media.size() == kMaxMedia)
+    context.fail(path,
+                 "is one medium more than the " + std::to_string(kMaxMedia) + " that are read");
+  context.scene.media.push_back(std::move(medium));
 }
 
 void readSceneExtras(GltfContext& context, const std::string& field, const Value& extras) {

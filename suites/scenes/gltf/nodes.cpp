@@ -19,9 +19,7 @@ void addInstances(GltfContext& context, const std::string& field, const std::str
                   const Shape& shape, Variants& variants) {
   Scene& scene = context.scene;
   if (shape.parts.empty()) return;
-  const glm::dmat3 linear(shape.toWorld);
-  const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-  if (!(std::abs(glm::determinant(linear)) > 1e-12 * size)) {
+  if (flattens(shape.toWorld)) {
     context.warn(field + " is flattened by its transform (scale 0) and left out");
     return;
   }

@@ -45,6 +45,12 @@ bool finite(const glm::dmat4& m) {
   return true;
 }
 
+bool flattens(const glm::dmat4& toWorld) {
+  const glm::dmat3 linear(toWorld);
+  const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+  return !(std::abs(glm::determinant(linear)) > 1e-12 * size);
+}
+
 glm::dmat4 composed(GltfContext& context, const std::string& field, const double* translation,
                     const double* r, const double* scale) {
   glm::dmat4 m(1);

@@ -45,5 +45,7 @@ std::vector<glm::dmat4> gpuInstances(GltfContext& context, size_t node);
 glm::dmat4 composed(GltfContext& context, const std::string& field, const double* translation,
                     const double* rotation, const double* scale);
 bool finite(const glm::dmat4& m);
+/// Does it take away all volume?
+bool flattens(const glm::dmat4& toWorld);
 
 }  // namespace sb

@@ -54,12 +54,16 @@ size_t GltfWriter::addAccessor(const std::vector<V>& values) {
   return m_gltf["accessors"].size() - 1;
 }
 
-size_t GltfWriter::addIndices(const std::vector<uint32_t>& indices) {
-  m_gltf["accessors"].push_back({{"bufferView", addView(indices.data(), indices.size() * 4)},
-                                 {"componentType", 5125},
-                                 {"count", indices.size()},
+size_t GltfWriter::addScalars(const void* data, size_t count, int componentType) {
+  m_gltf["accessors"].push_back({{"bufferView", addView(data, count * 4)},
+                                 {"componentType", componentType},
+                                 {"count", count},
                                  {"type", "SCALAR"}});
   return m_gltf["accessors"].size() - 1;
+}
+
+size_t GltfWriter::addIndices(const std::vector<uint32_t>& indices) {
+  return addScalars(indices.data(), indices.size(), 5125);
 }
 
 void GltfWriter::addImages() {
@@ -133,11 +137,17 @@ void GltfWriter::addInstances() {
 
 void GltfWriter::addMedia() {
   for (const Medium& medium : m_scene.media) {
-    const json ours = {{"kind", medium.kind == MediumKind::Smoke ? "smoke" : "homogeneous"},
-                       {"extinction", vectorJson(medium.extinction)},
-                       {"albedo", vectorJson(medium.albedo)},
-                       {"anisotropy", medium.anisotropy},
-                       {"seed", medium.seed}};
+    constexpr const char* kKinds[] = {"homogeneous", "smoke", "grid"};
+    json ours = {{"kind", kKinds[size_t(medium.kind)]},
+                 {"extinction", vectorJson(medium.extinction)},
+                 {"albedo", vectorJson(medium.albedo)},
+                 {"anisotropy", medium.anisotropy},
+                 {"seed", medium.seed},
+                 {"time", medium.time}};
+    if (medium.kind == MediumKind::Grid) {
+      ours["size"] = vectorJson(medium.size);
+      ours["density"] = addScalars(medium.density.data(), medium.density.size(), 5126);
+    }
     addNode({{"name", medium.name},
              {"matrix", matrixJson(medium.boxToWorld)},
              {"extras", {{"shadowbench", {{"medium", ours}}}}}});

@@ -25,6 +25,7 @@ class GltfWriter {
   template <typename V>
   size_t addAccessor(const std::vector<V>& values);
   size_t addIndices(const std::vector<uint32_t>& indices);
+  size_t addScalars(const void* data, size_t count, int componentType);
   void addImages();
   size_t meshFor(const Instance& instance);
   size_t addMesh(uint32_t mesh, bool mirrored, double thicknessScale);

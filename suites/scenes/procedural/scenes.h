@@ -20,6 +20,7 @@ ProceduralScene layers();
 ProceduralScene panes();
 ProceduralScene roseWindow();
 ProceduralScene teapot();
+ProceduralScene fog();
 
 /// Adds a mesh or an instance, with keys in order. Returns its index.
 uint32_t addMesh(Scene& scene, Mesh mesh);
