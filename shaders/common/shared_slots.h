@@ -8,14 +8,14 @@
 #define SLOT_TEXTURE(i) (24 + (i))
 #define SLOT_IMAGE(i) (56 + (i))
 
-#define UNIFORM_DRAW 0
+#define UNIFORM_MATERIAL 0
 #define UNIFORM_FRAME 1
 #define UNIFORM_TECHNIQUE 2     // the shadow technique's block
 #define UNIFORM_TRANSPARENCY 3  // the transparency technique's block
 #define UNIFORM_PASS 4          // parameters of one pass (light index, layer, ...)
+#define UNIFORM_LIGHTS 5
+#define UNIFORM_SHADOW_VIEWS 6
 
-#define STORAGE_INSTANCES 0
-#define STORAGE_MATERIALS 1
 #define STORAGE_LIGHTS 2
 #define STORAGE_SHADOW_VIEWS 3
 #define STORAGE_TRIANGLES 4

@@ -19,7 +19,7 @@ uint claimNode() {
 void linkNode(uint node) {
   uint at = node * nodeWords();
   nodes[at] = floatBitsToUint(layerDepth());
-  nodes[at + 1u] = currentSurfaceKey(instances[draw.ids.x]);
+  nodes[at + 1u] = currentSurfaceKey();
   uvec2 pixel = uvec2(gl_FragCoord.xy);
   nodes[at + 2u] = atomicExchange(heads[pixel.y * frame.counts.y + pixel.x], node);
 }

@@ -11,8 +11,6 @@
 #include <technique/visibility.glsl>
 #include "common/surface.glsl"
 #include "common/layer_depth.glsl"
-#define SURFACE_IO in
-#include "common/surface_io.glsl"
 layout(binding = SLOT_UNIFORM(UNIFORM_PASS), std140) uniform PassBlock { uvec4 passIds; };
 layout(binding = SLOT_TEXTURE(TEXTURE_PREVIOUS_LAYER)) uniform sampler2D t_previousLayer;
 layout(binding = SLOT_TEXTURE(TEXTURE_TRANSPARENCY)) uniform sampler2D t_opaqueDepth;
@@ -22,10 +20,8 @@ layout(location = 0) out vec4 o_visibility;
 #define PASS_LAYER passIds.y  // 0: first opaque surface, no peeling; n: n-th layer
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  MaterialData m = materials[i.ids.x];
-  Receiver r = surfaceReceiver(i, v_position);
-  OpticsData optics = opticsAt(m, baseColorAt(m, v_uv, v_color), v_uv);
+  Receiver r = surfaceReceiver(v_position);
+  OpticsData optics = opticsAt(material, baseColorAt(material, v_uv, v_color), v_uv);
   if (optics.alpha <= 0.0) discard;
   float depth = layerDepth();
   if (PASS_LAYER > 0u) {

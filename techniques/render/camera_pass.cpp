@@ -37,7 +37,7 @@ CameraPass::CameraPass(const Context& context, std::string folder, VisibilityInp
     rhi::GraphicsPipelineDesc desc =
         surfacePipeline(bucket.masked ? "masked" : "opaque", "forward.frag", bucket.masked);
     desc.raster.cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
-    bucket.pipeline = m_opaque[{bucket.masked, bucket.doubleSided}] = context.pipelines.get(desc);
+    bucket.pipeline = m_opaque[{bucket.masked, bucket.doubleSided}] = context.pipeline(desc);
   }
   if (transparency && context.plan.runs(Effect::CameraTransparency)) {
     m_transparency = transparency->make();

@@ -42,9 +42,9 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
       "visibility",
       context.view.gpu().coplanar().empty() ? "visibility.frag" : "visibility_coplanar.frag", false);
   desc.targets = {{.format = rhi::Format::RGBA32Float}};
-  m_doubleSided = context.pipelines.get(desc);
+  m_doubleSided = context.pipeline(desc);
   desc.raster.cull = rhi::CullMode::Back;
-  m_singleSided = context.pipelines.get(desc);
+  m_singleSided = context.pipeline(desc);
 }
 
 std::vector<VisibilityImage> VisibilityBuffer::render(ViewLight light) {

@@ -106,7 +106,7 @@ class CompositedTranslucent final : public ShadowTechnique {
     if (m_levelled) layers = createLevels(context);
     if (layers > 0) {
       m_colour = m_maps->createLike(context, "shadow colour", m_format, layers);
-      m_colourPipeline = context.pipelines.get(
+      m_colourPipeline = context.pipeline(
           colourPipeline(context, *m_maps, "composited_translucent/colour.frag", m_format));
       if (m_levelled && m_view->steps() > 1) ShadowMaps::clear(context, m_colour);
     }

@@ -66,9 +66,9 @@ class DepthPeeling final : public TransparencyTechnique {
     // Or equal: a layer may lie on the far plane, where the buffer was cleared to.
     peel.depth = {.test = true, .write = true, .compare = rhi::CompareOp::LessOrEqual};
     peel.constants.push_back({32, 0});
-    m_peel = context.pipelines.get(peel);
+    m_peel = context.pipeline(peel);
     peel.constants.back().bits = 1;
-    m_peelFirst = context.pipelines.get(peel);
+    m_peelFirst = context.pipeline(peel);
     if (m_coloured) {
       m_under = ColouredLayers(context, camera);
       return;
@@ -79,8 +79,8 @@ class DepthPeeling final : public TransparencyTechnique {
                                    .dstColor = rhi::BlendFactor::One,
                                    .srcAlpha = rhi::BlendFactor::Zero,
                                    .dstAlpha = rhi::BlendFactor::OneMinusSrcAlpha};
-    m_slideUnder = context.pipelines.get(under);
-    m_composite = context.pipelines.get(camera.compositePipeline("depth_peeling/composite.frag"));
+    m_slideUnder = context.pipeline(under);
+    m_composite = context.pipeline(camera.compositePipeline("depth_peeling/composite.frag"));
   }
 
   void createTargets(const Context& context) {
