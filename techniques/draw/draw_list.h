@@ -1,5 +1,6 @@
 // Draws instances of a scene with one set of bindings. Instances that follow one another with one
-// pipeline and one material are one call: what tells them apart comes as attributes of the instance.
+// pipeline and one material are one call: what tells them apart comes as attributes of the
+// instance.
 #pragma once
 
 #include <map>

@@ -31,8 +31,8 @@ class GpuScene {
   /// Surfaces that lie over others in one plane.
   const CoplanarSurfaces& coplanar() const { return m_coplanar; }
 
-  /// Vertex buffer 0: positions (12 bytes); buffer 1, with attributes: the others; the last: records
-  /// of instances (gpu::InstanceData), which SceneView has.
+  /// Vertex buffer 0: positions (12 bytes); buffer 1, with attributes: the others; the last:
+  /// records of instances (gpu::InstanceData), which SceneView has.
   rhi::BufferId positions() const { return m_positions; }
   rhi::BufferId attributes() const { return m_attributes; }
   rhi::BufferId indices() const { return m_indices; }

@@ -50,8 +50,12 @@ std::span<const std::byte> bytesOf(const std::vector<T>& data) {
 
 SceneView::SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
                      rhi::Extent2D size, uint32_t seed)
-    : m_gpu(gpuScene), m_effects(effects), m_shown(&effects), m_size(size), m_seed(seed),
-      m_maxUniformRange(device.info().limits.maxUniformRange) {
+    : m_gpu(gpuScene),
+      m_effects(effects),
+      m_shown(&effects),
+      m_size(size),
+      m_seed(seed),
+      m_mostUniform(std::min<uint64_t>(kMostUniformBytes, device.info().limits.maxUniformRange)) {
   for (uint32_t i = 0; i < scene().instances.size(); ++i)
     m_instanceData.push_back(instanceData(scene(), i, m_gpu.mesh(scene().instances[i].mesh)));
   createBuffers(device);
@@ -63,8 +67,8 @@ void SceneView::createBuffers(rhi::Device& device) {
   copyInstances(device, 1);
   m_frame = makeStorage(device, "view frame", sizeof(gpu::FrameData), rhi::BufferUse::Uniform);
   // Only lights that touch the view exist for the shaders.
-  m_lights = makeStorage(device, "view lights", uint64_t(lightCount()) * sizeof(gpu::LightData),
-                         kListUse);
+  m_lights =
+      makeStorage(device, "view lights", uint64_t(lightCount()) * sizeof(gpu::LightData), kListUse);
   m_shadowViews = makeStorage(device, "view shadow views", sizeof(gpu::ShadowViewData), kListUse);
   const CoplanarSurfaces& coplanar = m_gpu.coplanar();
   if (!coplanar.empty()) {
@@ -145,8 +149,8 @@ void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& setti
     return std::ranges::count_if(views, [](const LightView& v) { return !v.empty(); });
   };
   m_firstHasAll = filled(steps.front()) == filled(m_united);
-  m_shadowViews = makeStorage(device, "view shadow views",
-                              viewCount() * sizeof(gpu::ShadowViewData), kListUse);
+  m_shadowViews =
+      makeStorage(device, "view shadow views", viewCount() * sizeof(gpu::ShadowViewData), kListUse);
   bind();
   writeLights(uploadsTo(device));
 }
@@ -176,8 +180,7 @@ void SceneView::writeInstances(const Write& write) const {
   for (const auto& [copies, buffer] : m_instances) {
     std::vector<gpu::InstanceData> records;
     for (const gpu::InstanceData& instance : m_instanceData)
-      for (uint32_t copy = 0; copy < copies; ++copy)
-        records.emplace_back(instance).order.y = copy;
+      for (uint32_t copy = 0; copy < copies; ++copy) records.emplace_back(instance).order.y = copy;
     write(buffer, bytesOf(records));
   }
 }
@@ -190,8 +193,8 @@ uint32_t SceneView::lightCount() const {
 uint32_t SceneView::viewCount() const { return std::max(1u, uint32_t(m_united.size())); }
 
 bool SceneView::lightsInStorage() const {
-  return lightCount() * sizeof(gpu::LightData) > m_maxUniformRange ||
-         viewCount() * sizeof(gpu::ShadowViewData) > m_maxUniformRange;
+  return lightCount() * sizeof(gpu::LightData) > m_mostUniform ||
+         viewCount() * sizeof(gpu::ShadowViewData) > m_mostUniform;
 }
 
 std::vector<rhi::SpecConstant> SceneView::constants() const {

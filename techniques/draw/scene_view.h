@@ -24,6 +24,9 @@ enum class ViewLight : uint32_t {};
 
 class SceneView {
  public:
+  /// Lists of lights that are longer are read from storage: what hardware keeps for constants.
+  static constexpr uint64_t kMostUniformBytes = 64 * 1024;
+
   /// `effects` is the analysis of scene and camera; both must outlive the view.
   SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
             rhi::Extent2D size, uint32_t seed);
@@ -97,7 +100,7 @@ class SceneView {
   bool m_firstHasAll = true;
   std::vector<LightView> m_lightViews;
   std::vector<gpu::InstanceData> m_instanceData;
-  uint64_t m_maxUniformRange;
+  uint64_t m_mostUniform;                       ///< bytes of a list in a uniform block
   std::map<uint32_t, rhi::Buffer> m_instances;  ///< by copies
   rhi::Buffer m_frame, m_lights, m_shadowViews, m_coplanar;
   std::vector<rhi::Binding> m_bindings;

@@ -50,7 +50,7 @@ class TriangleOrder {
   std::vector<Entry> m_entries;
   std::vector<Run> m_runs;
   std::vector<uint32_t> m_sortedIndices, m_numbers;
-  std::vector<gpu::InstanceData> m_records;    ///< by run
+  std::vector<gpu::InstanceData> m_records;   ///< by run
   std::vector<rhi::DrawIndexedArgs> m_draws;  ///< kept to spare allocations
   rhi::Buffer m_indices, m_order, m_instances;
   DrawList m_drawList;

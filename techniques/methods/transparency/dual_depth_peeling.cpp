@@ -66,8 +66,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
     }
     m_peel = context.pipeline(peel);
     if (!m_coloured)
-      m_composite =
-          context.pipeline(camera.compositePipeline("dual_depth_peeling/composite.frag"));
+      m_composite = context.pipeline(camera.compositePipeline("dual_depth_peeling/composite.frag"));
     rhi::GraphicsPipelineDesc left = camera.compositePipeline("dual_depth_peeling/left.frag");
     left.targets.front() = {.format = CameraPass::kColorFormat, .writeMask = 0};
     if (m_byQuery) m_left = context.pipeline(left);
