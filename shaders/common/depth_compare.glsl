@@ -37,6 +37,20 @@ float hardwareTapDepth(LightSample s, int x, int y) {
   return max(depth, s.least);
 }
 
+// What a tap of the filter adds for one of its texels: its weight, if that is lit.
+float litWeight(LightSample s, ivec2 tap, float stored) {
+  if (max(abs(tap.x), abs(tap.y)) > int(kKernel) / 2) return 0.0;
+  return hardwareTapDepth(s, tap.x, tap.y) >= stored ? kernelWeight(tap.x, tap.y) : 0.0;
+}
+
+// The same for the four taps that share a texel: it is the first, second, third and fourth of theirs.
+vec4 litWeights(LightSample s, ivec2 texel, ivec2 place, int size, float stored) {
+  bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
+  if (outside) stored = 0.0;  // depth is reversed: lit
+  return vec4(litWeight(s, place, stored), litWeight(s, place - ivec2(1, 0), stored),
+              litWeight(s, place - ivec2(0, 1), stored), litWeight(s, place - ivec2(1, 1), stored));
+}
+
 // N x N of these taps lie one texel apart: they share (N + 1) x (N + 1) texels, which ((N + 1) / 2)^2
 // gathers fetch. Every tap compares its four texels with its own depth, as alone; how many taps
 // weigh the lit ones alike is counted first, since the weights within all taps are the same.
@@ -46,28 +60,19 @@ float filterOverlapping(LightSample s) {
   ivec2 base = ivec2(floor(at));
   vec2 f = at - floor(at);
   int h = int(kKernel) / 2;
-  float lit[4] = float[4](0.0, 0.0, 0.0, 0.0);
-  float total = 0.0;
+  vec4 lit = vec4(0);
   for (int y = -h; y <= h; y += 2)
     for (int x = -h; x <= h; x += 2) {
-      vec4 gathered = textureGather(
-          t_shadowMap, vec3(vec2(base + ivec2(x, y) + 1) / float(size), s.layer));
-      float stored[4] = float[4](gathered.w, gathered.z, gathered.x, gathered.y);
-      for (int i = 0; i < 4; ++i) {
-        ivec2 place = ivec2(x + (i & 1), y + (i >> 1)), texel = base + place;
-        bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(size)));
-        // It is the first, second, third and fourth texel of four taps.
-        for (int corner = 0; corner < 4; ++corner) {
-          ivec2 tap = place - ivec2(corner & 1, corner >> 1);
-          if (max(abs(tap.x), abs(tap.y)) > h) continue;
-          float w = kernelWeight(tap.x, tap.y);
-          if (corner == 0) total += w;
-          if (outside || hardwareTapDepth(s, tap.x, tap.y) >= stored[i]) lit[corner] += w;
-        }
-      }
+      ivec2 place = ivec2(x, y), texel = base + place;
+      vec4 stored = textureGather(t_shadowMap, vec3(vec2(texel + 1) / float(size), s.layer));
+      lit += litWeights(s, texel, place, size, stored.w);
+      lit += litWeights(s, texel + ivec2(1, 0), place + ivec2(1, 0), size, stored.z);
+      lit += litWeights(s, texel + ivec2(0, 1), place + ivec2(0, 1), size, stored.x);
+      lit += litWeights(s, texel + ivec2(1, 1), place + ivec2(1, 1), size, stored.y);
     }
+  float total = kTent ? float((h + 1) * (h + 1) * (h + 1) * (h + 1)) : float(kKernel * kKernel);
   // In this form a filter that is lit or dark as a whole gives exactly 1 or 0.
-  float below = lit[0] + (lit[1] - lit[0]) * f.x, above = lit[2] + (lit[3] - lit[2]) * f.x;
+  float below = lit.x + (lit.y - lit.x) * f.x, above = lit.z + (lit.w - lit.z) * f.x;
   return (below + (above - below) * f.y) / total;
 }
 
