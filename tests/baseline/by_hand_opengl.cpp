@@ -10,9 +10,9 @@ namespace {
 
 using opengl::Functions;
 
-class Frame final : public ByHand {
+class OpenglFrame final : public ByHand {
  public:
-  explicit Frame(const Capture& capture)
+  explicit OpenglFrame(const Capture& capture)
       : m_capture(capture),
         m_context(opengl::makeEglPlatform()->createContext(0, false)),
         m_gl(m_context->use()) {
@@ -191,7 +191,7 @@ class Frame final : public ByHand {
 }  // namespace
 
 std::unique_ptr<ByHand> makeOpengl(const Capture& capture) {
-  return std::make_unique<Frame>(capture);
+  return std::make_unique<OpenglFrame>(capture);
 }
 
 }  // namespace sb::baseline

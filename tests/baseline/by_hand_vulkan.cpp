@@ -23,9 +23,9 @@ std::unique_ptr<vulkan::Context> openFirstDevice() {
   return std::make_unique<vulkan::Context>(std::move(instance), devices.at(0));
 }
 
-class Frame final : public ByHand {
+class VulkanFrame final : public ByHand {
  public:
-  explicit Frame(const Capture& capture)
+  explicit VulkanFrame(const Capture& capture)
       : m_capture(capture),
         m_context(openFirstDevice()),
         m_vk(m_context->vk),
@@ -44,7 +44,7 @@ class Frame final : public ByHand {
     wait();
   }
 
-  ~Frame() override {
+  ~VulkanFrame() override {
     const VkDevice d = m_context->device;
     m_vk.vkDeviceWaitIdle(d);
     for (const auto& [id, p] : m_pipelines) m_vk.vkDestroyPipeline(d, p.handle, nullptr);
@@ -363,7 +363,7 @@ class Frame final : public ByHand {
 }  // namespace
 
 std::unique_ptr<ByHand> makeVulkan(const Capture& capture) {
-  return std::make_unique<Frame>(capture);
+  return std::make_unique<VulkanFrame>(capture);
 }
 
 }  // namespace sb::baseline
