@@ -30,8 +30,9 @@ enum class CallKind : uint8_t {
 std::string_view callName(CallKind kind);
 
 /// One recorded command. `args` by kind: Draw: vertices, instances, first vertex; DrawIndexed:
-/// indices, instances, first index, vertex offset; indirect: offset, count, stride; Dispatch: x, y,
-/// z; DispatchIndirect: offset; Write, Fill, buffer Copy: (target) offset, size; queries: index.
+/// indices, instances, first index, vertex offset, first instance; indirect: offset, count, stride;
+/// Dispatch: x, y, z; DispatchIndirect: offset; Write, Fill, buffer Copy: (target) offset, size;
+/// queries: index.
 struct Call {
   CallKind kind = CallKind::BeginPass;
   std::string pass;      ///< label of the pass it stands in; empty outside passes

@@ -27,9 +27,12 @@ void CommandList::doDraw(const rhi::DrawState& state, const rhi::DrawArgs& args)
          {args.vertexCount, args.instanceCount, args.firstVertex});
 }
 
-void CommandList::doDrawIndexed(const rhi::DrawState& state, const rhi::DrawIndexedArgs& args) {
-  record(CallKind::DrawIndexed, m_device.label(state.pipeline), "",
-         {args.indexCount, args.instanceCount, args.firstIndex, uint64_t(args.vertexOffset)});
+void CommandList::doDrawIndexed(const rhi::DrawState& state,
+                                std::span<const rhi::DrawIndexedArgs> draws) {
+  for (const rhi::DrawIndexedArgs& args : draws)
+    record(CallKind::DrawIndexed, m_device.label(state.pipeline), "",
+           {args.indexCount, args.instanceCount, args.firstIndex, uint64_t(args.vertexOffset),
+            args.firstInstance});
 }
 
 void CommandList::doDrawIndirect(const rhi::DrawState& state, const rhi::IndirectArgs& args,

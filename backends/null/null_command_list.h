@@ -16,7 +16,8 @@ class CommandList final : public rhi::CommandList {
   void doBeginPass(const rhi::PassDesc& desc) override;
   void doEndPass() override;
   void doDraw(const rhi::DrawState& state, const rhi::DrawArgs& args) override;
-  void doDrawIndexed(const rhi::DrawState& state, const rhi::DrawIndexedArgs& args) override;
+  void doDrawIndexed(const rhi::DrawState& state,
+                     std::span<const rhi::DrawIndexedArgs> draws) override;
   void doDrawIndirect(const rhi::DrawState& state, const rhi::IndirectArgs& args,
                       bool indexed) override;
   void doDispatch(const rhi::DispatchState& state, uint32_t x, uint32_t y, uint32_t z) override;

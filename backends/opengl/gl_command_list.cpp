@@ -23,15 +23,19 @@ void CommandList::doDraw(const rhi::DrawState& state, const rhi::DrawArgs& args)
                          GLsizei(args.instanceCount));
 }
 
-void CommandList::doDrawIndexed(const rhi::DrawState& state, const rhi::DrawIndexedArgs& args) {
+void CommandList::doDrawIndexed(const rhi::DrawState& state,
+                                std::span<const rhi::DrawIndexedArgs> draws) {
   const Functions& gl = m_context.use();
   m_state.applyDraw(state, true);
   const bool shorts = state.indexType == rhi::IndexType::Uint16;
-  const uint64_t offset = state.indexOffset + uint64_t(args.firstIndex) * (shorts ? 2 : 4);
-  gl.DrawElementsInstancedBaseVertex(
-      m_objects.pipelines.get(state.pipeline).topology(), GLsizei(args.indexCount),
-      shorts ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-      GLsizei(args.instanceCount), args.vertexOffset);
+  const GLenum type = shorts ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+  const GLenum mode = m_objects.pipelines.get(state.pipeline).topology();
+  for (const rhi::DrawIndexedArgs& args : draws) {
+    const uint64_t offset = state.indexOffset + uint64_t(args.firstIndex) * (shorts ? 2 : 4);
+    gl.DrawElementsInstancedBaseVertexBaseInstance(
+        mode, GLsizei(args.indexCount), type, reinterpret_cast<const void*>(offset),
+        GLsizei(args.instanceCount), args.vertexOffset, args.firstInstance);
+  }
 }
 
 void CommandList::doDrawIndirect(const rhi::DrawState& state, const rhi::IndirectArgs& args,

@@ -25,7 +25,7 @@ namespace opengl {
   X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteSamplers) X(DeleteShader) \
   X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(DepthRangef) \
   X(DetachShader) X(Disable) X(DisableVertexAttribArray) X(Disablei) X(DispatchCompute) \
-  X(DispatchComputeIndirect) X(DrawArraysInstanced) X(DrawElementsInstancedBaseVertex) \
+  X(DispatchComputeIndirect) X(DrawArraysInstanced) X(DrawElementsInstancedBaseVertexBaseInstance) \
   X(Enable) X(EnableVertexAttribArray) X(Enablei) X(EndQuery) X(FenceSync) X(Finish) X(Flush) \
   X(FrontFace) X(GenQueries) X(GenTextures) X(GetError) X(GetInteger64v) X(GetIntegerv) X(GetInternalformativ) \
   X(GetNamedBufferSubData) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectui64v) \

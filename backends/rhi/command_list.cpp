@@ -11,6 +11,17 @@ Counters operator-(const Counters& a, const Counters& b) {
           a.triangles - b.triangles};
 }
 
+namespace {
+
+/// The same indices for the next instances.
+bool follows(const DrawIndexedArgs& args, const DrawIndexedArgs& before) {
+  return args.indexCount == before.indexCount && args.firstIndex == before.firstIndex &&
+         args.vertexOffset == before.vertexOffset &&
+         args.firstInstance == before.firstInstance + before.instanceCount;
+}
+
+}  // namespace
+
 PassScope::~PassScope() noexcept(false) {
   if (std::uncaught_exceptions() == m_exceptions) end();
 }
@@ -43,12 +54,19 @@ void CommandList::draw(const DrawState& state, const DrawArgs& args) {
   doDraw(state, args);
 }
 
-void CommandList::drawIndexed(const DrawState& state, const DrawIndexedArgs& args) {
+void CommandList::drawIndexed(const DrawState& state, std::span<const DrawIndexedArgs> draws) {
   assert(m_inPass);
-  if (m_observer) m_observer->drawIndexed(state, args);
-  ++m_counters.draws;
-  m_counters.triangles += uint64_t(args.indexCount / 3) * args.instanceCount;
-  doDrawIndexed(state, args);
+  m_joined.clear();
+  for (const DrawIndexedArgs& args : draws) {
+    if (m_observer) m_observer->drawIndexed(state, args);
+    m_counters.triangles += uint64_t(args.indexCount / 3) * args.instanceCount;
+    if (!m_joined.empty() && follows(args, m_joined.back()))
+      m_joined.back().instanceCount += args.instanceCount;
+    else
+      m_joined.push_back(args);
+  }
+  m_counters.draws += draws.size();
+  if (!m_joined.empty()) doDrawIndexed(state, m_joined);
 }
 
 void CommandList::drawIndirect(const DrawState& state, const IndirectArgs& args) {

@@ -53,7 +53,12 @@ class CommandList {
 
   /// Vulkan: vkCmdDraw*. GL: glDraw*Instanced*.
   void draw(const DrawState& state, const DrawArgs& args);
-  void drawIndexed(const DrawState& state, const DrawIndexedArgs& args);
+  void drawIndexed(const DrawState& state, const DrawIndexedArgs& args) {
+    drawIndexed(state, std::span(&args, 1));
+  }
+  /// Draws that share all state, in order. Those of the same indices whose instances follow one
+  /// another reach the driver as one.
+  void drawIndexed(const DrawState& state, std::span<const DrawIndexedArgs> draws);
   /// Vulkan: vkCmdDraw(Indexed)Indirect. GL: glMultiDraw*Indirect.
   void drawIndirect(const DrawState& state, const IndirectArgs& args);
   void drawIndexedIndirect(const DrawState& state, const IndirectArgs& args);
@@ -89,7 +94,7 @@ class CommandList {
   virtual void doBeginPass(const PassDesc& desc) = 0;
   virtual void doEndPass() = 0;
   virtual void doDraw(const DrawState& state, const DrawArgs& args) = 0;
-  virtual void doDrawIndexed(const DrawState& state, const DrawIndexedArgs& args) = 0;
+  virtual void doDrawIndexed(const DrawState& state, std::span<const DrawIndexedArgs> draws) = 0;
   virtual void doDrawIndirect(const DrawState& state, const IndirectArgs& args, bool indexed) = 0;
   virtual void doDispatch(const DispatchState& state, uint32_t x, uint32_t y, uint32_t z) = 0;
   virtual void doDispatchIndirect(const DispatchState& state, BufferId args, uint64_t offset) = 0;
@@ -106,6 +111,7 @@ class CommandList {
   Counters m_counters;
   Observer* m_observer = nullptr;
   bool m_inPass = false;
+  std::vector<DrawIndexedArgs> m_joined;  // kept to spare allocations
 };
 
 }  // namespace rhi

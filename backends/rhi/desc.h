@@ -270,6 +270,9 @@ struct DrawIndexedArgs {
   uint32_t instanceCount = 1;
   uint32_t firstIndex = 0;
   int32_t vertexOffset = 0;
+  /// Of attributes that advance once an instance. gl_InstanceIndex counts from it in Vulkan alone:
+  /// shaders that read it are drawn from 0.
+  uint32_t firstInstance = 0;
 };
 /// Arguments from a buffer, in the layout that Vulkan and OpenGL share (4 or 5 uint32 per draw;
 /// dispatch: 3). firstInstance must be 0.

@@ -1,6 +1,5 @@
-// Draws and dispatches. Thousands of draws a frame differ in a uniform offset only, so everything
-// is compared with what is bound, and the usual draw emits one vkCmdBindDescriptorSets and the
-// draw.
+// Draws and dispatches. Many draws a frame differ in little, so everything is compared with what is
+// bound, and only what differs is bound again.
 #include <algorithm>
 #include <cassert>
 
@@ -157,10 +156,12 @@ void CommandList::doDraw(const rhi::DrawState& state, const rhi::DrawArgs& args)
   m_vk.vkCmdDraw(m_commands, args.vertexCount, args.instanceCount, args.firstVertex, 0);
 }
 
-void CommandList::doDrawIndexed(const rhi::DrawState& state, const rhi::DrawIndexedArgs& args) {
+void CommandList::doDrawIndexed(const rhi::DrawState& state,
+                                std::span<const rhi::DrawIndexedArgs> draws) {
   bindDraw(state, true);
-  m_vk.vkCmdDrawIndexed(m_commands, args.indexCount, args.instanceCount, args.firstIndex,
-                        args.vertexOffset, 0);
+  for (const rhi::DrawIndexedArgs& args : draws)
+    m_vk.vkCmdDrawIndexed(m_commands, args.indexCount, args.instanceCount, args.firstIndex,
+                          args.vertexOffset, args.firstInstance);
 }
 
 void CommandList::doDrawIndirect(const rhi::DrawState& state, const rhi::IndirectArgs& args,

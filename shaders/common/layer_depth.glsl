@@ -3,12 +3,13 @@
 // have that of the rasteriser.
 #ifndef LAYER_DEPTH
 #define LAYER_DEPTH
+#include "common/instance_ids.glsl"
 layout(binding = SLOT_STORAGE(STORAGE_COPLANAR), std430) readonly buffer CoplanarBlock {
   uint coplanar[];
 };
 
 uint coplanarRecord() {
-  uint first = coplanar[draw.ids.x];
+  uint first = coplanar[INSTANCE];
   uint triangle = uint(gl_PrimitiveID);
 #ifdef HAS_TRIANGLE_ORDER
   triangle = currentTriangleIndex();

@@ -1,6 +1,7 @@
 // A translucent caster in a stochastic map: which channels of the texel at hand it blocks. Each is
 // one experiment, of probability p = alpha (1 - t) (spec 04). Include material.glsl before.
 #include "common/shared_hash.h"
+#include "common/instance_ids.glsl"
 #include "common/transform.glsl"
 #include "common/light_pass.glsl"
 #include "common/noise.glsl"
@@ -13,15 +14,14 @@ layout(location = 3) LIGHT_INPUT vec4 v_uv;
 layout(location = 4) LIGHT_INPUT vec4 v_color;
 
 vec3 blockingProbability() {
-  OpticsData optics = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);
+  OpticsData optics = lightOptics(material, v_uv, v_color);
   return optics.alpha * (vec3(1) - optics.t);
 }
 
 // Of the surface at hand; its key is persistent (decision D2).
 vec4 surfaceNumbers(uint sampleIndex) {
-  InstanceData i = instances[draw.ids.x];
-  uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
-  return noiseNumbers(surfaceKey(i.ids.w, i.ids.y, triangle), sampleIndex, v_uv.xy);
+  uint triangle = floatBitsToUint(triangles[INSTANCE_FIRST_TRIANGLE + uint(gl_PrimitiveID)].normalKey.w);
+  return noiseNumbers(surfaceKey(INSTANCE_MESH_KEY, INSTANCE_KEY, triangle), sampleIndex, v_uv.xy);
 }
 
 bvec3 blockedChannels(uint sampleIndex) {

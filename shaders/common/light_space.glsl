@@ -44,12 +44,12 @@ uint cubeFace(vec3 d) {
 LightSample lightSample(uint light, Receiver r) {
   LightSample s;
   s.inside = false;
-  LightData l = lights[light];
+  LightData l = lightAt(light);
   if (l.ids.y == NO_SHADOW) return s;
   uint index = l.ids.y;
   if (l.ids.x == LIGHT_POINT) index += cubeFace(r.position - l.positionRange.xyz);
   s.view = index;
-  ShadowViewData view = shadowViews[index];
+  ShadowViewData view = shadowViewAt(index);
   if (view.origin.w < 0.0) return s;
 
   precise vec3 p = r.position - view.origin.xyz;

@@ -8,5 +8,5 @@ layout(location = 4) in vec4 v_color;
 
 void main() {
   storeDepth();
-  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha < 0.5) discard;
+  if (lightOptics(material, v_uv, v_color).alpha < 0.5) discard;
 }

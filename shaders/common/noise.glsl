@@ -67,7 +67,7 @@ vec4 stratifiedNumbers(uvec2 texel, uint key, uint sampleIndex, uint seed, uvec4
 // position and texture coordinates (how it joins the three and the two is not told). Nothing in it
 // belongs to the surface, and its 256 levels include 0.
 vec4 sourceNumbers(uint seed, vec2 uv) {
-  ShadowViewData view = shadowViews[PASS_SHADOW_VIEW];
+  ShadowViewData view = shadowViewAt(PASS_SHADOW_VIEW);
   vec3 ndc = vec3(gl_FragCoord.xy * view.texel.x * 2.0 - 1.0, gl_FragCoord.z);
   vec4 p = transpose(view.planeToClip) * vec4(ndc, 1);  // planes go the inverse way transposed
   vec3 world = p.xyz / p.w + view.origin.xyz + frame.eye.xyz;
@@ -78,7 +78,7 @@ vec4 sourceNumbers(uint seed, vec2 uv) {
 // Four numbers in [0,1) of the texel at hand; `uv` matters to Modisett's kind alone.
 vec4 noiseNumbers(uint key, uint sampleIndex, vec2 uv) {
   uvec2 texel = uvec2(gl_FragCoord.xy);
-  uint seed = pcg4d(uvec4(frame.counts.w, shadowViews[PASS_SHADOW_VIEW].ids.x, 0u, 0u)).x;
+  uint seed = pcg4d(uvec4(frame.counts.w, shadowViewAt(PASS_SHADOW_VIEW).ids.x, 0u, 0u)).x;
   if (kNoise == NOISE_TEXTURE) return tileNumbers(texel, key, sampleIndex, seed);
   if (kNoise == NOISE_SOURCE) return sourceNumbers(seed, uv);
   if (kNoise == NOISE_HASH) return randomNumbers(texel.x, texel.y, key, sampleIndex, seed);

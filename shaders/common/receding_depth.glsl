@@ -6,6 +6,7 @@
 // so the stored depth lies at or behind every receiver within reach; what remains is a contact gap
 // of (N + 1) / 2 texels' slope (spec 01). Include scene.glsl and light_pass.glsl before; the
 // including shader declares what it writes.
+#include "common/instance_ids.glsl"
 layout(constant_id = 15) const float kRecedes = 0.0;  // reach of lookups, texels; 0: exact depth
 // As of receivers (common/light_space.glsl).
 #define RECEDING_TAN_MAX 10.0
@@ -14,9 +15,9 @@ float recedingDepth() {
   float depth = gl_FragCoord.z;
   vec2 gradient = vec2(dFdx(depth), dFdy(depth));
   if (kRecedes == 0.0) return depth;
-  uint sides = concaveSides(triangles[instances[draw.ids.x].ids.z + uint(gl_PrimitiveID)]);
+  uint sides = concaveSides(triangles[INSTANCE_FIRST_TRIANGLE + uint(gl_PrimitiveID)]);
   if ((sides & (gl_FrontFacing ? 1u : 2u)) == 0u) return depth;
-  ShadowViewData view = shadowViews[PASS_SHADOW_VIEW];
+  ShadowViewData view = shadowViewAt(PASS_SHADOW_VIEW);
   // Depth that a texel spans on a plane at 45 degrees.
   float unit = view.texel.z * (view.texel.w > 0.0 ? depth
                                                   : length(vec3(view.toClip[0].z, view.toClip[1].z,

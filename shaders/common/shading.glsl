@@ -24,7 +24,7 @@ vec3 shadingNormal(MaterialData m, Receiver r, vec3 normal, vec4 tangent, vec4 u
 #ifndef REPLACES_DIRECT_LIGHT
 // Radiance toward the camera of one light, reflected (spec 16, V-mode).
 vec3 directLight(uint light, Receiver r, Reflector s) {
-  Illumination i = illumination(lights[light], r.position);
+  Illumination i = illumination(lightAt(light), r.position);
   // The geometric normal decides sides: no light through a surface, and no lookup for none.
   if (dot(r.normal, i.toLight) <= 0.0 || all(lessThanEqual(i.radiance, vec3(0)))) return vec3(0);
   vec3 reflected = reflectedLight(s.albedo, s.metallic, s.roughness, s.transmission, s.normal,

@@ -8,22 +8,22 @@
 #define SLOT_TEXTURE(i) (24 + (i))
 #define SLOT_IMAGE(i) (56 + (i))
 
-#define UNIFORM_DRAW 0
+#define UNIFORM_MATERIAL 0
 #define UNIFORM_FRAME 1
 #define UNIFORM_TECHNIQUE 2     // the shadow technique's block
 #define UNIFORM_TRANSPARENCY 3  // the transparency technique's block
 #define UNIFORM_PASS 4          // parameters of one pass (light index, layer, ...)
+#define UNIFORM_LIGHTS 5
+#define UNIFORM_SHADOW_VIEWS 6
 #define UNIFORM_MEDIA 7         // MediaBlock, where the plan runs participating media
 
-#define STORAGE_INSTANCES 0
-#define STORAGE_MATERIALS 1
+#define STORAGE_LIGHT_LOOP 0     // 0, 1: of the light technique
 #define STORAGE_LIGHTS 2
 #define STORAGE_SHADOW_VIEWS 3
 #define STORAGE_TRIANGLES 4
 #define STORAGE_TRIANGLE_ORDER 5
-#define STORAGE_TECHNIQUE 6      // 6..9
-#define STORAGE_TRANSPARENCY 10  // 10..12
-#define STORAGE_LIGHT_LOOP 13    // 13, 14: of the light technique
+#define STORAGE_TECHNIQUE 6      // 6..10
+#define STORAGE_TRANSPARENCY 11  // 11..14
 #define STORAGE_COPLANAR 15
 
 #define TEXTURE_MATERIAL 0       // 0..6, MATERIAL_TEXTURES of them

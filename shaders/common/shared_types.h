@@ -14,11 +14,6 @@ using uvec4 = glm::uvec4;
 using uint = uint32_t;
 #endif
 
-// Per draw, in a uniform buffer with a dynamic offset.
-struct DrawData {
-  uvec4 ids;  // x: instance, y: base into the triangle order, zw: unused
-};
-
 // Per frame.
 struct FrameData {
   mat4 viewProjection;  // camera-relative world -> clip
@@ -35,7 +30,7 @@ struct FrameData {
   vec4 depthToDistance; // along the axis (x + y depth) / (z + w depth)
 };
 
-// A placed mesh.
+// A placed mesh: vertex attributes that advance once an instance (common/instance.glsl).
 struct InstanceData {
   vec4 toRelative0;  // rows of mesh space -> camera-relative world
   vec4 toRelative1;
@@ -43,7 +38,8 @@ struct InstanceData {
   vec4 normal0;  // rows of the cofactor matrix (geometric normals); w of row 0: sign of det
   vec4 normal1;
   vec4 normal2;
-  uvec4 ids;  // x: material, y: instance key, z: first triangle, w: mesh key
+  uvec4 ids;    // x: instance, y: instance key, z: first triangle, w: mesh key
+  uvec4 order;  // x: base into the triangle order, y: which of several copies, zw: unused
 };
 
 // A triangle of a mesh: geometric normal in mesh space, persistent key as bits. The normal is 2^b
@@ -104,13 +100,12 @@ struct ShadowViewData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(DrawData) == 16);
 static_assert(offsetof(FrameData, ambient) == 64 && offsetof(FrameData, counts) == 80 &&
               offsetof(FrameData, eye) == 96 && offsetof(FrameData, sky) == 112 &&
               offsetof(FrameData, rayOrigin) == 128 && offsetof(FrameData, rayForward) == 176 &&
               offsetof(FrameData, depthToDistance) == 192 && sizeof(FrameData) == 208);
 static_assert(offsetof(InstanceData, normal0) == 48 && offsetof(InstanceData, ids) == 96 &&
-              sizeof(InstanceData) == 112);
+              offsetof(InstanceData, order) == 112 && sizeof(InstanceData) == 128);
 static_assert(sizeof(TriangleData) == 16);
 static_assert(offsetof(MaterialData, emissiveCutoff) == 16 && offsetof(MaterialData, surface) == 32 &&
               offsetof(MaterialData, transmission) == 48 &&

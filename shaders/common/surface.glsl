@@ -1,4 +1,7 @@
 // The receiver at hand: from interpolated attributes and the triangle's own record.
+#include "common/instance_ids.glsl"
+#define SURFACE_IO in
+#include "common/surface_io.glsl"
 #include "common/shared_hash.h"
 
 layout(binding = SLOT_STORAGE(STORAGE_TRIANGLE_ORDER), std430) readonly buffer TriangleOrderBlock {
@@ -10,30 +13,30 @@ layout(binding = SLOT_STORAGE(STORAGE_TRIANGLE_ORDER), std430) readonly buffer T
 uint currentTriangleIndex() {
   uint index = uint(gl_PrimitiveID);
   // Triangles sorted one by one come through a list of their numbers.
-  return kTriangleOrder ? triangleOrder[draw.ids.y + index] : index;
+  return kTriangleOrder ? triangleOrder[v_firstOrdered + index] : index;
 }
 
-TriangleData currentTriangle(InstanceData i) {
-  return triangles[i.ids.z + currentTriangleIndex()];
+TriangleData currentTriangle() {
+  return triangles[INSTANCE_FIRST_TRIANGLE + currentTriangleIndex()];
 }
 
 // Persistent key of the surface at hand (decision D2).
-uint currentSurfaceKey(InstanceData i) {
-  return surfaceKey(i.ids.w, i.ids.y, floatBitsToUint(currentTriangle(i).normalKey.w));
+uint currentSurfaceKey() {
+  return surfaceKey(INSTANCE_MESH_KEY, INSTANCE_KEY, floatBitsToUint(currentTriangle().normalKey.w));
 }
 
-Receiver surfaceReceiver(InstanceData i, vec3 position) {
+Receiver surfaceReceiver(vec3 position) {
   Receiver r;
   r.position = position;
   r.dpdx = dFdx(position);
   r.dpdy = dFdy(position);
-  TriangleData t = currentTriangle(i);
-  vec3 n = normalToWorld(i, t.normalKey.xyz);
+  TriangleData t = currentTriangle();
+  vec3 n = throughRows(v_normalRow0, v_normalRow1, v_normalRow2, t.normalKey.xyz);
   n = n * inversesqrt(max(dot(n, n), 1e-38));
   r.normal = dot(n, position) > 0.0 ? -n : n;
-  r.instance = draw.ids.x;
-  r.mesh = i.ids.w;
-  r.key = surfaceKey(i.ids.w, i.ids.y, floatBitsToUint(t.normalKey.w));
+  r.instance = INSTANCE;
+  r.mesh = INSTANCE_MESH_KEY;
+  r.key = surfaceKey(INSTANCE_MESH_KEY, INSTANCE_KEY, floatBitsToUint(t.normalKey.w));
   r.pixel = uvec2(gl_FragCoord.xy);
   r.kind = RECEIVER_SURFACE;
   r.concave = concaveSides(t);

@@ -7,6 +7,5 @@ layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
 
 void main() {
-  MaterialData m = materials[instances[draw.ids.x].ids.x];
-  if (baseColorAt(m, v_uv, v_color).a < m.emissiveCutoff.w) discard;
+  if (baseColorAt(material, v_uv, v_color).a < material.emissiveCutoff.w) discard;
 }

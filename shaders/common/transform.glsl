@@ -1,11 +1,11 @@
 #ifndef TRANSFORM_GLSL
 #define TRANSFORM_GLSL
 // Positions, in arithmetic that every API must keep (decision D1): sums written out and `precise`.
-vec3 toRelative(InstanceData i, vec3 p) {
+vec3 toRelative(vec4 row0, vec4 row1, vec4 row2, vec3 p) {
   precise vec3 r;
-  r.x = i.toRelative0.x * p.x + i.toRelative0.y * p.y + i.toRelative0.z * p.z + i.toRelative0.w;
-  r.y = i.toRelative1.x * p.x + i.toRelative1.y * p.y + i.toRelative1.z * p.z + i.toRelative1.w;
-  r.z = i.toRelative2.x * p.x + i.toRelative2.y * p.y + i.toRelative2.z * p.z + i.toRelative2.w;
+  r.x = row0.x * p.x + row0.y * p.y + row0.z * p.z + row0.w;
+  r.y = row1.x * p.x + row1.y * p.y + row1.z * p.z + row1.w;
+  r.z = row2.x * p.x + row2.y * p.y + row2.z * p.z + row2.w;
   return r;
 }
 
@@ -14,12 +14,8 @@ vec4 toClip(mat4 m, vec3 p) {
   return c;
 }
 
-// A direction (normal) through the cofactor rows of an instance.
-vec3 normalToWorld(InstanceData i, vec3 n) {
-  return vec3(dot(i.normal0.xyz, n), dot(i.normal1.xyz, n), dot(i.normal2.xyz, n));
-}
-
-vec3 tangentToWorld(InstanceData i, vec3 t) {
-  return vec3(dot(i.toRelative0.xyz, t), dot(i.toRelative1.xyz, t), dot(i.toRelative2.xyz, t));
+// A direction through rows of a matrix: a normal through the cofactors of an instance.
+vec3 throughRows(vec3 row0, vec3 row1, vec3 row2, vec3 v) {
+  return vec3(dot(row0, v), dot(row1, v), dot(row2, v));
 }
 #endif

@@ -7,5 +7,5 @@ layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
 
 void main() {
-  discardUnlessInLayer(lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha);
+  discardUnlessInLayer(lightOptics(material, v_uv, v_color).alpha);
 }

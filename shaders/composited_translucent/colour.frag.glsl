@@ -8,7 +8,7 @@ layout(location = 4) in vec4 v_color;
 layout(location = 0) out vec4 o_colour;
 
 void main() {
-  OpticsData o = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);
+  OpticsData o = lightOptics(material, v_uv, v_color);
   if (o.alpha < 1.0 / 512.0) discard;
   o_colour = vec4(vec3(1) - o.alpha * (vec3(1) - o.t), 1);
 }

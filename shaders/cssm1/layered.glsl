@@ -2,10 +2,11 @@
 // vertex shader sends to its layer.
 #extension GL_ARB_shader_viewport_layer_array : require
 #include "common/scene.glsl"
-#include "common/transform.glsl"
 #include "common/light_pass.glsl"
+#include "common/instance.glsl"
+layout(location = 10) in uvec4 a_order;  // y: which of the three
 
 void toLayer(vec3 position) {
-  gl_Position = toLightClip(toRelative(instances[draw.ids.x], position));
-  gl_Layer = gl_InstanceIndex;
+  gl_Position = toLightClip(placeInstance(position));
+  gl_Layer = int(a_order.y);
 }

@@ -7,7 +7,7 @@
 #include "common/sample_subset.glsl"
 #include "common/caster_depth.glsl"
 layout(constant_id = 18) const uint kSamples = 4u;
-layout(location = 5) flat in uint v_channel;
+layout(location = 6) flat in uint v_channel;
 
 float ofChannel(vec3 v) { return v_channel == 0u ? v.x : v_channel == 1u ? v.y : v.z; }
 

@@ -5,7 +5,7 @@
 #include "common/material.glsl"
 #include "common/light_blocking.glsl"
 #include "common/caster_depth.glsl"
-layout(location = 5) flat in uint v_channel;
+layout(location = 6) flat in uint v_channel;
 
 void main() {
   storeDepth();

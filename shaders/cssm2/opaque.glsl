@@ -9,7 +9,7 @@ layout(location = 0) out vec4 o_depths;
 
 void main() {
   float depth = storeDepth();
-  if (kMasked && lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha < 0.5)
+  if (kMasked && lightOptics(material, v_uv, v_color).alpha < 0.5)
     discard;
   o_depths = vec4(vec3(depth), 1);
 }

@@ -7,6 +7,6 @@ layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
 
 void main() {
-  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha <= 0.0) discard;
+  if (lightOptics(material, v_uv, v_color).alpha <= 0.0) discard;
   discardUnlessNext();
 }

@@ -10,7 +10,7 @@ layout(location = 4) in vec4 v_color;
 layout(location = 0) out vec2 o_bounds;
 
 void main() {
-  if (lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha <= 0.0) discard;
+  if (lightOptics(material, v_uv, v_color).alpha <= 0.0) discard;
   float depth = layerDepth();
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
   o_bounds = vec2(depth, -depth);

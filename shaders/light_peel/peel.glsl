@@ -13,8 +13,8 @@ layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2DArray t_opaqu
 // does not (the tolerance of techniques/maps/translucent_maps.cpp). Gives what passes.
 vec3 peelFragment() {
   float tolerance = 2e-6 * gl_FragCoord.z + fwidth(gl_FragCoord.z) / 32.0;
-  ivec3 texel = ivec3(gl_FragCoord.xy, int(shadowViews[PASS_SHADOW_VIEW].origin.w));
-  OpticsData o = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);
+  ivec3 texel = ivec3(gl_FragCoord.xy, int(shadowViewAt(PASS_SHADOW_VIEW).origin.w));
+  OpticsData o = lightOptics(material, v_uv, v_color);
   if (o.alpha < 1.0 / 512.0) discard;
   if (gl_FragCoord.z + tolerance < texelFetch(t_opaqueMap, texel, 0).r) discard;
   return vec3(1) - o.alpha * (vec3(1) - o.t);

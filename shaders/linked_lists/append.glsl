@@ -9,7 +9,7 @@ layout(early_fragment_tests) in;
 void linkNode(uint node) {
   uint at = node * nodeWords();
   nodes[at] = floatBitsToUint(layerDepth());
-  nodes[at + 1u] = currentSurfaceKey(instances[draw.ids.x]);
+  nodes[at + 1u] = currentSurfaceKey();
   uvec2 pixel = uvec2(gl_FragCoord.xy);
   nodes[at + 2u] = pushNode(pixel.y * frame.counts.y + pixel.x, node);
 }

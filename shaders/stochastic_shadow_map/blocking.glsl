@@ -8,7 +8,7 @@ layout(constant_id = 17) const bool kLuminance = true;
 
 float opacity() {
   if (!kLuminance)
-    return lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha;
+    return lightOptics(material, v_uv, v_color).alpha;
   vec3 p = blockingProbability();
   // In this form grey stays what it is: 0 and 1 are exact.
   return p.g + 0.2126 * (p.r - p.g) + 0.0722 * (p.b - p.g);

@@ -13,12 +13,11 @@ layout(location = 3) in vec4 v_uv;
 layout(location = 4) in vec4 v_color;
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  float alpha = lightOptics(materials[i.ids.x], v_uv, v_color).alpha;
+  float alpha = lightOptics(material, v_uv, v_color).alpha;
   float depth = layerDepth();
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
-  uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
-  uint kept = keptSamples(alpha, surfaceKey(i.ids.w, i.ids.y, triangle));
+  uint triangle = floatBitsToUint(triangles[INSTANCE_FIRST_TRIANGLE + uint(gl_PrimitiveID)].normalKey.w);
+  uint kept = keptSamples(alpha, surfaceKey(INSTANCE_MESH_KEY, INSTANCE_KEY, triangle));
   // Without multisampling a sample mask means nothing to OpenGL.
   if (alpha <= 0.0 || kept == 0u) discard;
   gl_SampleMask[0] = int(kept);

@@ -12,7 +12,7 @@ bool beginFragment(float alpha) {
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
   gl_SampleMask[0] = ~0;
   if (kBasic) {
-    uint kept = keptSamples(alpha, currentSurfaceKey(instances[draw.ids.x]));
+    uint kept = keptSamples(alpha, currentSurfaceKey());
     if (kept == 0u) discard;
     gl_SampleMask[0] = int(kept);
   }

@@ -10,7 +10,7 @@ layout(location = 4) in vec4 v_color;
 layout(location = 0) out float o_transmittance;
 
 void main() {
-  float alpha = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color).alpha;
+  float alpha = lightOptics(material, v_uv, v_color).alpha;
   if (alpha <= 0.0) discard;
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, layerDepth())) discard;
   o_transmittance = 1.0 - alpha;

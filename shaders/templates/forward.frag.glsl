@@ -9,16 +9,12 @@
 #include <lights/lights.glsl>
 #include "common/surface.glsl"
 #include "common/shading.glsl"
-#define SURFACE_IO in
-#include "common/surface_io.glsl"
 layout(location = 0) out vec4 o_color;
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  MaterialData m = materials[i.ids.x];
-  Receiver r = surfaceReceiver(i, v_position);
-  vec4 base = baseColorAt(m, v_uv, v_color);
-  if (kMasked && base.a < m.emissiveCutoff.w) discard;
+  Receiver r = surfaceReceiver(v_position);
+  vec4 base = baseColorAt(material, v_uv, v_color);
+  if (kMasked && base.a < material.emissiveCutoff.w) discard;
   // Nothing passes an opaque surface: metals and black ones reflect the same with transmission.
-  o_color = vec4(shadeSurface(m, r, base, 0.0, v_normal, v_tangent, v_uv), 1);
+  o_color = vec4(shadeSurface(material, r, base, 0.0, v_normal, v_tangent, v_uv), 1);
 }

@@ -17,24 +17,20 @@
 #include <lights/lights.glsl>
 #include "common/surface.glsl"
 #include "common/shading.glsl"
-#define SURFACE_IO in
-#include "common/surface_io.glsl"
 #include <transparency/emit.glsl>
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  MaterialData m = materials[i.ids.x];
-  Receiver r = surfaceReceiver(i, v_position);
-  vec4 base = baseColorAt(m, v_uv, v_color);
-  OpticsData optics = opticsAt(m, base, v_uv);
+  Receiver r = surfaceReceiver(v_position);
+  vec4 base = baseColorAt(material, v_uv, v_color);
+  OpticsData optics = opticsAt(material, base, v_uv);
   // A layer that does not exist takes no part (spec 15).
   if (optics.alpha <= 0.0) discard;
 #ifdef EMITS_WEIGHTS
   if (!beginFragment(optics)) return;
-  vec3 radiance = shadeSurface(m, r, base, optics.transmission, v_normal, v_tangent, v_uv);
+  vec3 radiance = shadeSurface(material, r, base, optics.transmission, v_normal, v_tangent, v_uv);
   emitFragment(optics.alpha * radiance, optics.behind);
 #else
   if (!beginFragment(optics.alpha)) return;
-  emitFragment(shadeSurface(m, r, base, 0.0, v_normal, v_tangent, v_uv), optics.alpha);
+  emitFragment(shadeSurface(material, r, base, 0.0, v_normal, v_tangent, v_uv), optics.alpha);
 #endif
 }

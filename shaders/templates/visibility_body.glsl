@@ -8,14 +8,10 @@
 #include <technique/visibility.glsl>
 #include "common/surface.glsl"
 #include "common/visibility_layer.glsl"
-#define SURFACE_IO in
-#include "common/surface_io.glsl"
 layout(location = 0) out vec4 o_visibility;
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  MaterialData m = materials[i.ids.x];
-  Receiver r = surfaceReceiver(i, v_position);
-  discardUnlessInLayer(opticsAt(m, baseColorAt(m, v_uv, v_color), v_uv).alpha);
+  Receiver r = surfaceReceiver(v_position);
+  discardUnlessInLayer(opticsAt(material, baseColorAt(material, v_uv, v_color), v_uv).alpha);
   o_visibility = vec4(lightVisibility(PASS_LIGHT, r), 1);
 }

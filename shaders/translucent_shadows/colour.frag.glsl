@@ -16,9 +16,8 @@ layout(location = 0) out vec4 o_colour;
 #define VARIANT_SEED_PRODUCT 3u
 
 void main() {
-  MaterialData m = materials[instances[draw.ids.x].ids.x];
-  vec4 base = baseColorAt(m, v_uv, v_color);
-  OpticsData o = opticsAt(m, base, v_uv);
+  vec4 base = baseColorAt(material, v_uv, v_color);
+  OpticsData o = opticsAt(material, base, v_uv);
   if (o.alpha < 1.0 / 512.0) discard;
   vec3 colour = vec3(1) - o.alpha * (vec3(1) - o.t);
   if (kVariant == VARIANT_PUBLISHED) colour = clamp(base.rgb, 0.0, 1.0);

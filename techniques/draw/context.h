@@ -16,6 +16,14 @@ struct Context {
   SceneView& view;
   const Plan& plan;
   const Knobs& knobs;
+
+  /// The pipeline of this description, specialized for the view's scene too.
+  rhi::PipelineId pipeline(rhi::GraphicsPipelineDesc desc) const {
+    const auto constants =
+        declaredConstants({desc.vertex, desc.geometry, desc.fragment}, view.constants());
+    desc.constants.insert(desc.constants.end(), constants.begin(), constants.end());
+    return pipelines.get(desc);
+  }
 };
 
 }  // namespace sb

@@ -1,5 +1,6 @@
-// Draws instances of a scene with one set of bindings: builds the bindings of each material once,
-// so that a draw changes only the dynamic offset of the draw's data.
+// Draws instances of a scene with one set of bindings. Instances that follow one another with one
+// pipeline and one material are one call: what tells them apart comes as attributes of the
+// instance.
 #pragma once
 
 #include <map>
@@ -25,7 +26,8 @@ class DrawList {
   /// Another binding beside the common ones; before the first draw.
   void bind(const rhi::Binding& binding) { m_extra.push_back(binding); }
 
-  /// `copies`: how often each instance is drawn, told apart by gl_InstanceIndex.
+  /// `copies`: how often each instance is drawn, told apart by InstanceData::order
+  /// (SceneView::copyInstances).
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
             std::span<const uint32_t> instances, uint32_t copies = 1);
   /// The same, each instance by its mesh's pipeline.
@@ -34,19 +36,20 @@ class DrawList {
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, uint32_t instance) {
     draw(commands, pipeline, std::span(&instance, 1));
   }
-  /// Draws part of another index buffer (triangles in an order of their own) with the draw data at
-  /// `drawBinding`.
+  /// Draws parts of another index buffer (triangles in an order of their own) with records of
+  /// instances from another vertex buffer.
   void drawOrdered(rhi::CommandList& commands, rhi::PipelineId pipeline, uint32_t material,
-                   const rhi::Binding& drawBinding, rhi::BufferId indices,
-                   const rhi::DrawIndexedArgs& args);
+                   rhi::BufferId instances, rhi::BufferId indices,
+                   std::span<const rhi::DrawIndexedArgs> draws);
 
  private:
-  std::vector<rhi::Binding>& bindingsOf(uint32_t material);
+  const std::vector<rhi::Binding>& bindingsOf(uint32_t material);
 
   const SceneView* m_view = nullptr;
   std::vector<rhi::Binding> m_extra;
   bool m_withAttributes = false;
   std::map<uint32_t, std::vector<rhi::Binding>> m_byMaterial;
+  std::vector<rhi::DrawIndexedArgs> m_draws;  ///< kept to spare allocations
 };
 
 }  // namespace sb

@@ -97,6 +97,7 @@ FrameResult FrameRunner::runOnce(FrameMode mode, const std::function<void(Frame&
   const double submit0 = clockMs(CLOCK_MONOTONIC);
   const rhi::Ticket ticket = scope.end();
   result.submitMs = clockMs(CLOCK_MONOTONIC) - submit0;
+  result.callsMs = clockMs(CLOCK_THREAD_CPUTIME_ID) - thread0;
   m_device.wait(ticket);
   result.wallMs = clockMs(CLOCK_MONOTONIC) - wall0;
   result.cpuMs = clockMs(CLOCK_PROCESS_CPUTIME_ID) - cpu0;

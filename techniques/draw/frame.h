@@ -29,6 +29,7 @@ struct PassResult {
 struct FrameResult {
   double recordMs = 0;  ///< CPU time of this thread from beginFrame to the end of recording
   double submitMs = 0;  ///< CPU wall time of endFrame
+  double callsMs = 0;   ///< CPU time of this thread from beginFrame until endFrame returns
   double wallMs = 0;    ///< from the first command to completion
   double cpuMs = 0;     ///< process CPU time of all threads over the same span
   std::optional<double>

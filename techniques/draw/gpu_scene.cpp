@@ -100,9 +100,14 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
 }
 
 void GpuScene::uploadMaterials(rhi::Device& device) {
-  std::vector<gpu::MaterialData> data;
-  for (const Material& m : m_scene.materials) data.push_back(materialData(m));
-  m_materials = makeBuffer(device, "scene materials", data, rhi::BufferUse::Storage);
+  const uint64_t align = device.info().limits.uniformAlignment;
+  m_materialStride = (sizeof(gpu::MaterialData) + align - 1) / align * align;
+  std::vector<std::byte> data(std::max<size_t>(1, m_scene.materials.size()) * m_materialStride);
+  for (size_t i = 0; i < m_scene.materials.size(); ++i) {
+    const gpu::MaterialData material = materialData(m_scene.materials[i]);
+    std::memcpy(data.data() + i * m_materialStride, &material, sizeof material);
+  }
+  m_materials = makeBuffer(device, "scene materials", data, rhi::BufferUse::Uniform);
 
   auto addTexture = [&](const std::string& label, const Image& image, bool srgb) {
     rhi::Texture texture =
@@ -152,27 +157,43 @@ void GpuScene::uploadMaterials(rhi::Device& device) {
 std::vector<rhi::VertexBufferLayout> GpuScene::vertexLayout(bool withAttributes) {
   std::vector<rhi::VertexBufferLayout> layout = {{.stride = sizeof(glm::vec3)}};
   if (withAttributes) layout.push_back({.stride = sizeof(Attributes)});
+  layout.push_back({.stride = sizeof(gpu::InstanceData), .perInstance = true});
   return layout;
 }
 
 std::vector<rhi::VertexAttribute> GpuScene::vertexAttributes(bool withAttributes) {
   using F = rhi::VertexFormat;
   std::vector<rhi::VertexAttribute> list = {{.location = 0, .buffer = 0, .format = F::Float3}};
+  uint32_t buffer = 1;
+  auto add = [&](uint32_t location, F format, size_t offset) {
+    list.push_back(
+        {.location = location, .buffer = buffer, .format = format, .offset = uint32_t(offset)});
+  };
   if (withAttributes) {
-    auto add = [&](uint32_t location, F format, size_t offset) {
-      list.push_back(
-          {.location = location, .buffer = 1, .format = format, .offset = uint32_t(offset)});
-    };
     add(1, F::Float3, offsetof(Attributes, normal));
     add(2, F::Float4, offsetof(Attributes, tangent));
     add(3, F::Float2, offsetof(Attributes, uv0));
     add(4, F::Float2, offsetof(Attributes, uv1));
     add(5, F::Float4, offsetof(Attributes, color));
+    ++buffer;
+  }
+  add(6, F::Float4, offsetof(gpu::InstanceData, toRelative0));
+  add(7, F::Float4, offsetof(gpu::InstanceData, toRelative1));
+  add(8, F::Float4, offsetof(gpu::InstanceData, toRelative2));
+  add(9, F::Uint4, offsetof(gpu::InstanceData, ids));
+  add(10, F::Uint4, offsetof(gpu::InstanceData, order));
+  if (withAttributes) {
+    add(11, F::Float4, offsetof(gpu::InstanceData, normal0));
+    add(12, F::Float4, offsetof(gpu::InstanceData, normal1));
+    add(13, F::Float4, offsetof(gpu::InstanceData, normal2));
   }
   return list;
 }
 
-rhi::Binding GpuScene::materials() const { return rhi::storageAt(STORAGE_MATERIALS, m_materials); }
+rhi::Binding GpuScene::material(uint32_t index) const {
+  return rhi::uniformAt(UNIFORM_MATERIAL, m_materials, index * m_materialStride,
+                        sizeof(gpu::MaterialData));
+}
 rhi::Binding GpuScene::triangles() const { return rhi::storageAt(STORAGE_TRIANGLES, m_triangles); }
 
 }  // namespace sb

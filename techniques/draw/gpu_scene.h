@@ -31,16 +31,17 @@ class GpuScene {
   /// Surfaces that lie over others in one plane.
   const CoplanarSurfaces& coplanar() const { return m_coplanar; }
 
-  /// Vertex buffer 0: positions (12 bytes); vertex buffer 1: the other attributes. Positions and
-  /// indices are storage, too.
+  /// Vertex buffer 0: positions (12 bytes); buffer 1, with attributes: the others; the last:
+  /// records of instances (gpu::InstanceData), which SceneView has. Positions and indices are
+  /// storage, too.
   rhi::BufferId positions() const { return m_positions; }
   rhi::BufferId attributes() const { return m_attributes; }
   rhi::BufferId indices() const { return m_indices; }
   static std::vector<rhi::VertexBufferLayout> vertexLayout(bool withAttributes);
   static std::vector<rhi::VertexAttribute> vertexAttributes(bool withAttributes);
 
-  /// Slots that never change: materials, triangles, and a material's textures.
-  rhi::Binding materials() const;
+  /// Slots that never change: a material, triangles, and a material's textures.
+  rhi::Binding material(uint32_t index) const;
   rhi::Binding triangles() const;
   const std::vector<rhi::Binding>& textures(uint32_t material) const {
     return m_textureBindings[material];
@@ -56,6 +57,7 @@ class GpuScene {
   std::vector<MeshRange> m_meshes;
   std::vector<bool> m_rises;
   rhi::Buffer m_positions, m_attributes, m_indices, m_triangles, m_materials;
+  uint64_t m_materialStride = 256;
   std::vector<rhi::Texture> m_textures;
   std::vector<rhi::Sampler> m_samplers;
   std::vector<std::vector<rhi::Binding>> m_textureBindings;

@@ -12,8 +12,9 @@ namespace sb {
 namespace {
 
 /// All but where it stands relative to the eye.
-gpu::InstanceData instanceData(const Scene& scene, const Instance& instance,
+gpu::InstanceData instanceData(const Scene& scene, uint32_t index,
                                const GpuScene::MeshRange& range) {
+  const Instance& instance = scene.instances[index];
   const glm::dmat3 linear(instance.toWorld);
   // Cofactors, not the inverse transpose: no division, and right for singular transforms too.
   const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
@@ -26,8 +27,7 @@ gpu::InstanceData instanceData(const Scene& scene, const Instance& instance,
     normals[r] = glm::vec4(glm::dvec4(cofactor[0][r], cofactor[1][r], cofactor[2][r], 0));
   }
   d.normal0.w = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  d.ids = {mesh.material, instance.key, range.firstTriangle, mesh.key};
+  d.ids = {index, instance.key, range.firstTriangle, scene.meshes[instance.mesh].key};
   return d;
 }
 
@@ -38,6 +38,9 @@ rhi::Buffer makeStorage(rhi::Device& device, const char* label, uint64_t bytes,
                               .use = use | rhi::BufferUse::CopyTarget});
 }
 
+/// Lists of lights are read from uniform blocks where they fit, else from storage.
+constexpr rhi::BufferUse kListUse = rhi::BufferUse::Uniform | rhi::BufferUse::Storage;
+
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& data) {
   return std::as_bytes(std::span(data));
@@ -47,30 +50,26 @@ std::span<const std::byte> bytesOf(const std::vector<T>& data) {
 
 SceneView::SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
                      rhi::Extent2D size, uint32_t seed)
-    : m_gpu(gpuScene), m_effects(effects), m_shown(&effects), m_size(size), m_seed(seed) {
-  const uint64_t align = device.info().limits.uniformAlignment;
-  m_drawStride = (sizeof(gpu::DrawData) + align - 1) / align * align;
-  for (const Instance& instance : scene().instances)
-    m_instanceData.push_back(instanceData(scene(), instance, m_gpu.mesh(instance.mesh)));
+    : m_gpu(gpuScene),
+      m_effects(effects),
+      m_shown(&effects),
+      m_size(size),
+      m_seed(seed),
+      m_mostUniform(std::min<uint64_t>(kMostUniformBytes, device.info().limits.maxUniformRange)) {
+  for (uint32_t i = 0; i < scene().instances.size(); ++i)
+    m_instanceData.push_back(instanceData(scene(), i, m_gpu.mesh(scene().instances[i].mesh)));
   createBuffers(device);
   look(scene().camera(), m_effects);
   writeAll(uploadsTo(device));
 }
 
 void SceneView::createBuffers(rhi::Device& device) {
-  std::vector<std::byte> draws(std::max<size_t>(1, m_instanceData.size()) * m_drawStride);
-  for (uint32_t i = 0; i < m_instanceData.size(); ++i) {
-    const gpu::DrawData draw{.ids = {i, NO_SHADOW, 0, 0}};
-    std::memcpy(draws.data() + drawOffset(i), &draw, sizeof draw);
-  }
-  m_draws = makeStorage(device, "view draws", draws.size(), rhi::BufferUse::Uniform);
-  device.upload(m_draws, 0, draws);
-  m_instances = makeStorage(device, "view instances", bytesOf(m_instanceData).size());
+  copyInstances(device, 1);
   m_frame = makeStorage(device, "view frame", sizeof(gpu::FrameData), rhi::BufferUse::Uniform);
   // Only lights that touch the view exist for the shaders.
-  const auto lights = std::ranges::count_if(m_effects.lights, &LightEffects::touchesView);
-  m_lights = makeStorage(device, "view lights", uint64_t(lights) * sizeof(gpu::LightData));
-  m_shadowViews = makeStorage(device, "view shadow views", 0);
+  m_lights =
+      makeStorage(device, "view lights", uint64_t(lightCount()) * sizeof(gpu::LightData), kListUse);
+  m_shadowViews = makeStorage(device, "view shadow views", sizeof(gpu::ShadowViewData), kListUse);
   const CoplanarSurfaces& coplanar = m_gpu.coplanar();
   if (!coplanar.empty()) {
     const CameraMatrices any = cameraMatrices(scene().camera(), aspect());
@@ -81,14 +80,16 @@ void SceneView::createBuffers(rhi::Device& device) {
 }
 
 void SceneView::bind() {
-  m_bindings = {rhi::uniformAt(UNIFORM_DRAW, m_draws, 0, sizeof(gpu::DrawData)),
-                rhi::uniformAt(UNIFORM_FRAME, m_frame, 0, sizeof(gpu::FrameData)),
-                rhi::storageAt(STORAGE_INSTANCES, m_instances),
+  const bool stored = lightsInStorage();
+  m_bindings = {rhi::uniformAt(UNIFORM_FRAME, m_frame, 0, sizeof(gpu::FrameData)),
+                rhi::uniformAt(UNIFORM_LIGHTS, m_lights, 0,
+                               (stored ? 1 : lightCount()) * sizeof(gpu::LightData)),
+                rhi::uniformAt(UNIFORM_SHADOW_VIEWS, m_shadowViews, 0,
+                               (stored ? 1 : viewCount()) * sizeof(gpu::ShadowViewData)),
                 rhi::storageAt(STORAGE_LIGHTS, m_lights),
-                // Scenes without such surfaces do not read it.
-                rhi::storageAt(STORAGE_COPLANAR, m_coplanar ? m_coplanar.id() : m_instances.id()),
                 rhi::storageAt(STORAGE_SHADOW_VIEWS, m_shadowViews),
-                m_gpu.materials(),
+                // Scenes without such surfaces do not read it.
+                rhi::storageAt(STORAGE_COPLANAR, m_coplanar ? m_coplanar.id() : m_lights.id()),
                 m_gpu.triangles()};
 }
 
@@ -150,7 +151,7 @@ void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& setti
   };
   m_firstHasAll = filled(steps.front()) == filled(m_united);
   m_shadowViews =
-      makeStorage(device, "view shadow views", m_united.size() * sizeof(gpu::ShadowViewData));
+      makeStorage(device, "view shadow views", viewCount() * sizeof(gpu::ShadowViewData), kListUse);
   bind();
   writeLights(uploadsTo(device));
 }
@@ -161,11 +162,45 @@ void SceneView::setSeed(rhi::Device& device, uint32_t seed) {
 }
 
 void SceneView::writeAll(const Write& write) {
-  write(m_instances, bytesOf(m_instanceData));
+  writeInstances(write);
   if (m_coplanar)
     write(m_coplanar, bytesOf(m_gpu.coplanar().words(m_camera, m_size.width, m_size.height)));
   writeFrame(write);
   writeLights(write);
+}
+
+void SceneView::copyInstances(rhi::Device& device, uint32_t copies) {
+  auto [it, isNew] = m_instances.try_emplace(copies);
+  if (!isNew) return;
+  it->second = makeStorage(device, "view instances", bytesOf(m_instanceData).size() * copies,
+                           rhi::BufferUse::Vertex);
+  writeInstances(uploadsTo(device));
+}
+
+void SceneView::writeInstances(const Write& write) const {
+  for (const auto& [copies, buffer] : m_instances) {
+    std::vector<gpu::InstanceData> records;
+    for (const gpu::InstanceData& instance : m_instanceData)
+      for (uint32_t copy = 0; copy < copies; ++copy) records.emplace_back(instance).order.y = copy;
+    write(buffer, bytesOf(records));
+  }
+}
+
+uint32_t SceneView::lightCount() const {
+  const auto touching = std::ranges::count_if(m_effects.lights, &LightEffects::touchesView);
+  return std::max(1u, uint32_t(touching));
+}
+
+uint32_t SceneView::viewCount() const { return std::max(1u, uint32_t(m_united.size())); }
+
+bool SceneView::lightsInStorage() const {
+  return lightCount() * sizeof(gpu::LightData) > m_mostUniform ||
+         viewCount() * sizeof(gpu::ShadowViewData) > m_mostUniform;
+}
+
+std::vector<rhi::SpecConstant> SceneView::constants() const {
+  const bool stored = lightsInStorage();
+  return {{5, stored ? 1 : lightCount()}, {6, stored ? 1 : viewCount()}, {7, stored}};
 }
 
 void SceneView::writeFrame(const Write& write) const {

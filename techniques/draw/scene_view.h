@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "shaders/common/shared_types.h"
@@ -23,6 +24,9 @@ enum class ViewLight : uint32_t {};
 
 class SceneView {
  public:
+  /// Lists of lights that are longer are read from storage: what hardware keeps for constants.
+  static constexpr uint64_t kMostUniformBytes = 64 * 1024;
+
   /// `effects` is the analysis of scene and camera; both must outlive the view.
   SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effects& effects,
             rhi::Extent2D size, uint32_t seed);
@@ -57,16 +61,23 @@ class SceneView {
   /// Other random numbers from the next frame on. Call between frames.
   void setSeed(rhi::Device& device, uint32_t seed);
 
-  /// Slots common to every pass: draw (dynamic offset), frame, instances, materials, lights, shadow
-  /// views, triangles. The draw binding is the first element.
+  /// Slots common to every pass: frame, lights, shadow views, triangles.
   const std::vector<rhi::Binding>& bindings() const { return m_bindings; }
-  /// Offset of the draw binding for an instance.
-  uint64_t drawOffset(uint32_t instance) const { return uint64_t(instance) * m_drawStride; }
-  uint64_t drawStride() const { return m_drawStride; }
+  /// A vertex buffer of the instances' records, `copies` of each in turn, numbered.
+  rhi::BufferId instances(uint32_t copies = 1) const { return m_instances.at(copies); }
+  /// Makes one with that many copies, now and in every step to come.
+  void copyInstances(rhi::Device& device, uint32_t copies);
+  /// An instance's record as the camera stands now.
+  const gpu::InstanceData& instance(uint32_t index) const { return m_instanceData[index]; }
+  /// What every pipeline that draws the scene is specialized for: shaders/common/scene.glsl.
+  std::vector<rhi::SpecConstant> constants() const;
 
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
   void createBuffers(rhi::Device& device);
+  uint32_t lightCount() const;
+  uint32_t viewCount() const;
+  bool lightsInStorage() const;
   void bind();
   /// Where a camera stands and what it shows; the light views are set by the caller.
   void look(const Camera& camera, const ViewEffects& shown);
@@ -74,6 +85,7 @@ class SceneView {
   void writeAll(const Write& write);
   void writeFrame(const Write& write) const;
   void writeLights(const Write& write) const;
+  void writeInstances(const Write& write) const;
   static Write uploadsTo(rhi::Device& device);
 
   const GpuScene& m_gpu;
@@ -89,8 +101,9 @@ class SceneView {
   bool m_firstHasAll = true;
   std::vector<LightView> m_lightViews;
   std::vector<gpu::InstanceData> m_instanceData;
-  uint64_t m_drawStride = 256;
-  rhi::Buffer m_draws, m_frame, m_instances, m_lights, m_shadowViews, m_coplanar;
+  uint64_t m_mostUniform;                       ///< bytes of a list in a uniform block
+  std::map<uint32_t, rhi::Buffer> m_instances;  ///< by copies
+  rhi::Buffer m_frame, m_lights, m_shadowViews, m_coplanar;
   std::vector<rhi::Binding> m_bindings;
 };
 

@@ -1,7 +1,6 @@
 #include "techniques/draw/triangle_order.h"
 
 #include <algorithm>
-#include <cstring>
 #include <tuple>
 
 #include "shaders/common/shared_slots.h"
@@ -12,8 +11,7 @@ TriangleOrder::TriangleOrder(const Context& context, Instances instances, Rank r
     : m_view(&context.view),
       m_from(std::move(instances)),
       m_rank(std::move(rank)),
-      m_centroids(context.view.scene().meshes.size()),
-      m_drawStride(context.view.drawStride()) {
+      m_centroids(context.view.scene().meshes.size()) {
   // Another step may sort more triangles, or into more runs.
   size_t triangles = 1, runs = 1;
   context.view.alongPath(context.device, [&] {
@@ -34,7 +32,8 @@ TriangleOrder::TriangleOrder(const Context& context, Instances instances, Rank r
                    rhi::BufferUse::Index);
   m_order = make("sorted triangle order", std::as_bytes(std::span(m_numbers)), 4 * triangles,
                  rhi::BufferUse::Storage);
-  m_draws = make("sorted draws", m_drawData, runs * m_drawStride, rhi::BufferUse::Uniform);
+  m_instances = make("sorted instances", std::as_bytes(std::span(m_records)),
+                     runs * sizeof(gpu::InstanceData), rhi::BufferUse::Vertex);
   extra.push_back(rhi::storageAt(STORAGE_TRIANGLE_ORDER, m_order));
   m_drawList = DrawList(*m_view, std::move(extra), true);
 }
@@ -45,7 +44,7 @@ void TriangleOrder::sort(rhi::CommandList& commands) {
   if (m_numbers.empty()) return;
   commands.write(m_indices, 0, std::as_bytes(std::span(m_sortedIndices)));
   commands.write(m_order, 0, std::as_bytes(std::span(m_numbers)));
-  commands.write(m_draws, 0, m_drawData);
+  commands.write(m_instances, 0, std::as_bytes(std::span(m_records)));
 }
 
 void TriangleOrder::sortEntries() {
@@ -87,23 +86,25 @@ void TriangleOrder::order() {
     ++m_runs.back().count;
     m_numbers.push_back(e.triangle);
   }
-  m_drawData.assign(std::max<size_t>(1, m_runs.size()) * m_drawStride, std::byte(0));
-  for (size_t i = 0; i < m_runs.size(); ++i) {
-    const gpu::DrawData draw{.ids = {m_runs[i].instance, m_runs[i].first, 0, 0}};
-    std::memcpy(m_drawData.data() + i * m_drawStride, &draw, sizeof draw);
-  }
+  m_records.clear();
+  for (const Run& run : m_runs)
+    m_records.emplace_back(m_view->instance(run.instance)).order.x = run.first;
 }
 
 void TriangleOrder::draw(rhi::CommandList& commands, rhi::PipelineId pipeline) {
   const Scene& scene = m_view->scene();
-  for (size_t i = 0; i < m_runs.size(); ++i) {
-    const uint32_t mesh = scene.instances[m_runs[i].instance].mesh;
-    m_drawList.drawOrdered(
-        commands, pipeline, scene.meshes[mesh].material,
-        rhi::uniformAt(UNIFORM_DRAW, m_draws, i * m_drawStride, sizeof(gpu::DrawData)), m_indices,
-        {.indexCount = 3 * m_runs[i].count,
-         .firstIndex = 3 * m_runs[i].first,
-         .vertexOffset = m_view->gpu().mesh(mesh).vertexOffset});
+  auto meshOf = [&](size_t run) { return scene.instances[m_runs[run].instance].mesh; };
+  for (size_t first = 0; first < m_runs.size();) {
+    const uint32_t material = scene.meshes[meshOf(first)].material;
+    m_draws.clear();
+    size_t i = first;
+    for (; i < m_runs.size() && scene.meshes[meshOf(i)].material == material; ++i)
+      m_draws.push_back({.indexCount = 3 * m_runs[i].count,
+                         .firstIndex = 3 * m_runs[i].first,
+                         .vertexOffset = m_view->gpu().mesh(meshOf(i)).vertexOffset,
+                         .firstInstance = uint32_t(i)});
+    m_drawList.drawOrdered(commands, pipeline, material, m_instances, m_indices, m_draws);
+    first = i;
   }
 }
 

@@ -50,9 +50,9 @@ class TriangleOrder {
   std::vector<Entry> m_entries;
   std::vector<Run> m_runs;
   std::vector<uint32_t> m_sortedIndices, m_numbers;
-  std::vector<std::byte> m_drawData;
-  rhi::Buffer m_indices, m_order, m_draws;
-  uint64_t m_drawStride = 0;
+  std::vector<gpu::InstanceData> m_records;   ///< by run
+  std::vector<rhi::DrawIndexedArgs> m_draws;  ///< kept to spare allocations
+  rhi::Buffer m_indices, m_order, m_instances;
   DrawList m_drawList;
 };
 

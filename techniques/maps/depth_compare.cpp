@@ -7,8 +7,8 @@ namespace sb {
 KnobInfo compareKnob() {
   return {.name = "compare",
           .help =
-              "2x2 hardware comparison at every tap (in the shader where the device "
-              "filters no depth), or one exact texel a tap",
+              "2x2 comparisons at every tap, weighed as hardware does (by it in a kernel of 1, "
+              "where the device filters depth; else in the shader), or one exact texel a tap",
           .fallback = "manual",
           .choices = {"hardware", "manual"}};
 }

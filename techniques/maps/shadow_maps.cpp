@@ -243,13 +243,13 @@ rhi::GraphicsPipelineDesc ShadowMaps::casterPipeline(const Context& context,
 
 CasterPipelines ShadowMaps::pipelines(const Context& context,
                                       const rhi::GraphicsPipelineDesc& desc) const {
-  CasterPipelines pair{.exact = context.pipelines.get(desc), .receding = {}};
+  CasterPipelines pair{.exact = context.pipeline(desc), .receding = {}};
   if (!recedes()) return pair;
   rhi::GraphicsPipelineDesc receding = desc;
   if (const rhi::ShaderCode* own = context.shaders.find(recedingName(desc.fragment)))
     receding.fragment = own;
   receding.constants.push_back({15, std::bit_cast<uint32_t>(m_recedes)});
-  pair.receding = context.pipelines.get(receding);
+  pair.receding = context.pipeline(receding);
   return pair;
 }
 

@@ -17,7 +17,7 @@ class LevelMaps final : public ColourMaps {
     const uint32_t layers = planAlongPath(in, format);
     if (layers == 0) return;
     m_colour = m_shadows.createLike(in.context, "shadow colour", format, layers);
-    m_pipeline = in.context.pipelines.get(
+    m_pipeline = in.context.pipeline(
         colourPipeline(in.context, m_shadows, "composited_translucent/colour.frag", format));
     if (m_view.steps() > 1) ShadowMaps::clear(in.context, m_colour);
   }

@@ -89,7 +89,7 @@ uint32_t LightPeel::countLayers(const Context& context, ShadowMaps& maps, const 
       {.format = rhi::Format::RGBA16Float,
        .blend = {
            .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One}}};
-  const rhi::PipelineId pipeline = context.pipelines.get(desc);
+  const rhi::PipelineId pipeline = context.pipeline(desc);
   DrawList draws(context.view,
                  {maps.passBlock(group.view),
                   rhi::textureAt(TEXTURE_TECHNIQUE, maps.depth(), maps.pointSampler())},

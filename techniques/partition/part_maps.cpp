@@ -17,7 +17,7 @@ class PartMaps final : public ColourMaps {
     const rhi::Format format = colourMapFormat(in.context.knobs);
     m_colour =
         m_shadows.createLike(in.context, "shadow colour", format, std::max(1u, m_shadows.layers()));
-    m_colourPipeline = in.context.pipelines.get(
+    m_colourPipeline = in.context.pipeline(
         colourPipeline(in.context, m_shadows, "composited_translucent/colour.frag", format));
     m_nearest = m_shadows.createLike(in.context, "translucent depth", m_shadows.depthFormat());
     m_nearestPipeline = m_shadows.pipelines(

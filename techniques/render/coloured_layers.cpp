@@ -18,10 +18,10 @@ ColouredLayers::ColouredLayers(const Context& context, const CameraPass& camera)
   under.targets = {{.format = CameraPass::kColorFormat, .blend = kBlendAdd},
                    {.format = CameraPass::kColorFormat, .blend = kBlendAdd}};
   under.constants = {{32, 0}};
-  m_under = context.pipelines.get(under);
+  m_under = context.pipeline(under);
   under.constants = {{32, 1}};
-  m_first = context.pipelines.get(under);
-  m_over = context.pipelines.get(camera.colouredCompositePipeline("coloured_layers/over.frag"));
+  m_first = context.pipeline(under);
+  m_over = context.pipeline(camera.colouredCompositePipeline("coloured_layers/over.frag"));
 }
 
 void ColouredLayers::slideUnder(Frame& frame, const ColouredLayer& layer, bool first) {

@@ -51,24 +51,24 @@ void ColouredStochastic::createPipelines(const Context& context, const CameraPas
       camera.unshadedPipeline("stochastic_transparency/coloured/depth.frag");
   depths.constants.push_back({32, m_samples});
   depths.targets.assign(m_samples, {.format = kExact, .blend = kMax});
-  m_depthPass = context.pipelines.get(depths);
+  m_depthPass = context.pipeline(depths);
 
   rhi::GraphicsPipelineDesc light = camera.translucentPipeline("stochastic_transparency/coloured");
   light.constants.push_back({32, m_samples});
   light.depth = {};
   light.depthFormat = rhi::Format::Undefined;
   light.targets.assign(2, {.format = CameraPass::kColorFormat, .blend = kBlendAdd});
-  m_lightPass = context.pipelines.get(light);
+  m_lightPass = context.pipeline(light);
 
   rhi::GraphicsPipelineDesc composite =
       camera.colouredCompositePipeline("stochastic_transparency/coloured/composite.frag");
   composite.constants = {{32, m_samples}, {33, m_basic}};
-  m_composite = context.pipelines.get(composite);
+  m_composite = context.pipeline(composite);
   if (m_basic) return;
   rhi::GraphicsPipelineDesc total =
       camera.unshadedPipeline("stochastic_transparency/coloured/total.frag");
   total.targets = {{.format = kExact, .blend = kBlendMultiply}};
-  m_totalPass = context.pipelines.get(total);
+  m_totalPass = context.pipeline(total);
 }
 
 void ColouredStochastic::record(Frame& frame, CameraPass& camera) {

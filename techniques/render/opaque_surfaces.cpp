@@ -37,9 +37,9 @@ OpaqueSurfaces::Pipelines OpaqueSurfaces::makePipelines(const Context& context,
     depth.depth = {.test = true, .write = true, .compare = CameraPass::kNearer};
     depth.depthFormat = camera.depthFormat();
     depth.raster.cull = cull;
-    pipelines.depth = context.pipelines.get(depth);
+    pipelines.depth = context.pipeline(depth);
   }
-  pipelines.shaded = context.pipelines.get(shaded);
+  pipelines.shaded = context.pipeline(shaded);
   return pipelines;
 }
 

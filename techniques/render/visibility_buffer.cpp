@@ -60,10 +60,10 @@ VisibilityBuffer::VisibilityBuffer(const Context& context, const CameraPass& cam
 VisibilityBuffer::Pipelines VisibilityBuffer::pipelines(
     rhi::GraphicsPipelineDesc opaque, rhi::GraphicsPipelineDesc translucent) const {
   Pipelines made;
-  made.doubleSided = m_context.pipelines.get(opaque);
+  made.doubleSided = m_context.pipeline(opaque);
   opaque.raster.cull = rhi::CullMode::Back;
-  made.singleSided = m_context.pipelines.get(opaque);
-  made.translucent = m_context.pipelines.get(translucent);
+  made.singleSided = m_context.pipeline(opaque);
+  made.translucent = m_context.pipeline(translucent);
   return made;
 }
 

@@ -97,6 +97,51 @@ GPU_TEST(Draws, IndexTypesAndEveryOffset) {
   }
 }
 
+GPU_TEST(Draws, ManyWithOneState) {
+  // Two meshes, quads of two triangles, over 8 cells of 2 x 1 pixels: the pixels of a cell see
+  // different triangles. Attributes of instances count from firstInstance, triangles anew in each
+  // instance; of draws over one cell the last remains; neighbours that could be one call and
+  // others.
+  rhi::Texture target =
+      texture2D(device(), rhi::Format::R32Uint, 16, 1, rhi::TextureUse::ColorTarget);
+  rhi::Buffer size = bufferOf(device(), std::vector<uint32_t>{8, 0, 0, 0});
+  rhi::Buffer vertices = bufferOf(device(), std::vector<uint32_t>{0, 1, 2, 3, 4, 5, 6, 7});
+  // Diagonals through the cell's middle put its left pixel into one triangle, its right into
+  // another.
+  rhi::Buffer indices = bufferOf(device(), std::vector<uint32_t>{0, 1, 2, 3, 2, 1});
+  rhi::Buffer cells = bufferOf(device(), std::vector<uint32_t>{7, 6, 5, 4, 3, 2, 1, 0});
+  auto desc = graphics("instances", "instances", {rhi::Format::R32Uint});
+  desc.vertexBuffers = {{.stride = 4}, {.stride = 4, .perInstance = true}};
+  desc.attributes = {{.location = 0, .buffer = 0, .format = rhi::VertexFormat::Uint},
+                     {.location = 1, .buffer = 1, .format = rhi::VertexFormat::Uint}};
+  rhi::Pipeline pipeline = device().createPipeline(desc);
+  rhi::Counters counters;
+  frame(device(), [&](rhi::CommandList& list) {
+    const rhi::ColorAttachment color{.view = {.texture = target}};
+    auto pass = list.beginPass({.label = "many", .colors = {&color, 1}});
+    const rhi::Binding bindings[] = {rhi::uniformAt(0, size)};
+    const rhi::VertexBufferBinding buffers[] = {{vertices}, {cells}};
+    const rhi::DrawState state{.pipeline = pipeline,
+                               .bindings = bindings,
+                               .vertexBuffers = buffers,
+                               .indexBuffer = indices};
+    const rhi::DrawIndexedArgs draws[] = {
+        {.indexCount = 6, .firstInstance = 0},                     // cell 7
+        {.indexCount = 6, .firstInstance = 1},                     // cell 6: joined with it
+        {.indexCount = 6, .vertexOffset = 4, .firstInstance = 2},  // another mesh
+        {.indexCount = 6, .firstInstance = 5},                     // cell 2
+        {.indexCount = 6, .vertexOffset = 4, .firstInstance = 5},  // over it
+        {.indexCount = 3, .firstInstance = 7},                     // half of cell 0
+    };
+    list.drawIndexed(state, draws);
+    counters = list.counters();
+  });
+  EXPECT_EQ(readTexels<uint32_t>(device(), target),
+            (Row{1, 0, 0, 0, 11, 12, 0, 0, 0, 0, 11, 12, 1, 2, 1, 2}));
+  EXPECT_EQ(counters.draws, 6u);
+  EXPECT_EQ(counters.triangles, 11u);
+}
+
 GPU_TEST(Draws, EveryVertexFormat) {
   struct Vertex {
     float a, b[2], c[3], d[4];

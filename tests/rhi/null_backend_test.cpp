@@ -48,6 +48,38 @@ TEST(NullBackend, KeepsTheContentsOfTextures) {
   EXPECT_EQ(got[1], 4u);
 }
 
+TEST(NullBackend, InstancesThatFollowOneAnotherAreOneCall) {
+  auto device = null_backend::makeBackend()->open({});
+  const rhi::ShaderCode code = {.name = "v", .stage = rhi::ShaderStage::Vertex};
+  const rhi::Pipeline pipeline = device->createPipeline({.label = "p", .vertex = &code});
+  rhi::CommandList& list = device->beginFrame();
+  {
+    auto pass = list.beginPass({.label = "p", .extent = {1, 1}});
+    const rhi::DrawIndexedArgs draws[] = {
+        {.indexCount = 3, .firstInstance = 4},
+        {.indexCount = 3, .instanceCount = 2, .firstInstance = 5},
+        {.indexCount = 3, .firstInstance = 8},  // not the next
+        {.indexCount = 3, .firstInstance = 8},  // the same again
+        {.indexCount = 6, .firstInstance = 9},  // other indices
+        {.indexCount = 6, .firstIndex = 3, .firstInstance = 10},
+        {.indexCount = 6, .firstIndex = 3, .vertexOffset = 1, .firstInstance = 11},
+    };
+    list.drawIndexed({.pipeline = pipeline}, draws);
+  }
+  EXPECT_EQ(list.counters().draws, 7u);
+  EXPECT_EQ(list.counters().triangles, 1u + 2 + 1 + 1 + 2 + 2 + 2);
+  device->endFrame();
+  std::vector<std::vector<uint64_t>> drawn;
+  for (const Call& call : null_backend::calls(*device))
+    if (call.kind == CallKind::DrawIndexed) drawn.push_back(call.args);
+  EXPECT_EQ(drawn, (std::vector<std::vector<uint64_t>>{{3, 3, 0, 0, 4},
+                                                       {3, 1, 0, 0, 8},
+                                                       {3, 1, 0, 0, 8},
+                                                       {6, 1, 0, 0, 9},
+                                                       {6, 1, 3, 0, 10},
+                                                       {6, 1, 3, 1, 11}}));
+}
+
 TEST(NullBackend, RecordsCallsAndMonotoneTimes) {
   auto device = null_backend::makeBackend()->open({});
   const rhi::QueryPool pool = device->createQueryPool({.label = "times", .count = 2});

@@ -107,6 +107,52 @@ GPU_TEST(ShadowFilter, WorkedExampleHardwareTap) {
   EXPECT_EQ(fetched[0][0], 0.75f);
 }
 
+GPU_TEST(ShadowFilter, WideHardwareFilterIsTheMeanOfItsTaps) {
+  // Each tap compares its own four texels with its own depth on a tilted plane; borders included.
+  constexpr int kSize = 16;
+  Pcg random(2);
+  std::vector<float> texels(kSize * kSize);
+  for (float& t : texels) t = float(random.uniform());
+  rhi::Texture map = mapOf(device(), kSize, texels);
+  std::vector<Query> queries;
+  for (int i = 0; i < 1024; ++i)
+    queries.push_back({.uvzBias = {float(random.uniform()), float(random.uniform()),
+                                   float(random.uniform()), float(random.uniform() * 0.01)},
+                       .gradient = {float(random.uniform() - 0.5), float(random.uniform() - 0.5)}});
+  for (const int kernel : {3, 9})
+    for (const bool tent : {false, true}) {
+      const auto answers =
+          ask(device(), "filter_depth", map,
+              {.hardware = true, .kernel = uint32_t(kernel), .tent = tent}, queries);
+      double worst = 0;
+      for (size_t i = 0; i < queries.size(); ++i) {
+        const auto [u, v, z, bias] = queries[i].uvzBias;
+        const double gx = queries[i].gradient[0], gy = queries[i].gradient[1];
+        const double px = u * kSize - 0.5, py = v * kSize - 0.5;
+        const double fx = px - std::floor(px), fy = py - std::floor(py);
+        const int h = kernel / 2;
+        double lit = 0, total = 0;
+        for (int y = -h; y <= h; ++y)
+          for (int x = -h; x <= h; ++x) {
+            const double w = tent ? (h + 1 - std::abs(x)) * (h + 1 - std::abs(y)) : 1;
+            // Lit receivers lie no deeper than the map, which clears to the far plane.
+            const double depth = std::min(
+                1.0, z + (gx * x + gy * y) / kSize - bias - (std::abs(gx) + std::abs(gy)) / kSize);
+            total += w;
+            for (int c = 0; c < 4; ++c) {
+              const int tx = int(std::floor(px)) + x + (c & 1);
+              const int ty = int(std::floor(py)) + y + (c >> 1);
+              const bool outside = tx < 0 || ty < 0 || tx >= kSize || ty >= kSize;
+              const double share = (c & 1 ? fx : 1 - fx) * (c >> 1 ? fy : 1 - fy);
+              if (outside || depth <= texels[size_t(ty * kSize + tx)]) lit += w * share;
+            }
+          }
+        worst = std::max(worst, std::abs(answers[i][0] - lit / total));
+      }
+      EXPECT_LT(worst, 1e-5) << kernel << (tent ? " tent" : " box");
+    }
+}
+
 GPU_TEST(ShadowFilter, WorkedExampleBoxAndTent) {
   // 3 x 3 around column 2: columns 0, 1, 1 of 3. The tent weighs them 1, 2, 1: 3/4.
   rhi::Texture map = mapOf(device(), 4, workedRows());

@@ -18,7 +18,7 @@ class LayerProbe final : public ShadowTechnique {
     m_answer = screenTarget(context, "layer probe", kFormat);
     m_sampler =
         context.device.createSampler({.label = "layer probe", .filter = rhi::Filter::Nearest});
-    m_pipeline = context.pipelines.get(
+    m_pipeline = context.pipeline(
         {.label = "layer probe",
          .vertex = &context.shaders.get("common/fullscreen.vert"),
          .fragment = &context.shaders.get(m_chosen ? "layer_probe/chosen.frag"

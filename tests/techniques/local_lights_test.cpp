@@ -171,3 +171,25 @@ GPU_TEST(ShadowLights, SeveralLightsEachWithItsOwnShadow) {
   EXPECT_EQ(spot.wrong, 0u) << spot.firstWrong;
   EXPECT_GT(spot.dark, 80u);
 }
+
+GPU_TEST(ManyLights, MoreThanAUniformBlockHolds) {
+  // One light in as many parts as no uniform block holds, the last as large as all others together:
+  // the same light, from storage.
+  Scene scene = room();
+  const Light whole = scene.lights[0];
+  Cell one(cellDevice(device()), scene, {.technique = "none", .size = {16, 16}});
+  const size_t parts = SceneView::kMostUniformBytes / sizeof(gpu::LightData) + 1;
+  Light part = whole;
+  part.intensity = 0.5f * whole.intensity / float(parts - 1);
+  scene.lights.assign(parts, part);
+  scene.lights.back().intensity = 0.5f * whole.intensity;
+  for (uint32_t i = 0; i < parts; ++i) scene.lights[i].key = i;
+  Cell many(cellDevice(device()), scene, {.technique = "none", .size = {16, 16}});
+  const report::Picture a = one.picture(), b = many.picture();
+  double brightest = 0;
+  for (size_t i = 0; i < a.rgba.size(); ++i) {
+    EXPECT_NEAR(b.rgba[i], a.rgba[i], 0x1p-10 * a.rgba[i]) << i;  // a step of half floats
+    if (i % 4 < 3) brightest = std::max<double>(brightest, a.rgba[i]);
+  }
+  EXPECT_GT(brightest, 0.01);
+}

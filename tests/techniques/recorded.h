@@ -59,9 +59,12 @@ inline std::vector<std::string> passes(const Recorded& r) {
   return labels;
 }
 
-inline size_t draws(const Recorded& r, const std::string& pass) {
-  return size_t(std::ranges::count_if(
-      r.calls, [&](const Call& c) { return c.kind == CallKind::DrawIndexed && c.pass == pass; }));
+/// Meshes that a pass draws, whichever of them are one call.
+inline uint64_t draws(const Recorded& r, const std::string& pass) {
+  uint64_t count = 0;
+  for (const PassResult& p : r.frame.passes)
+    if (p.label == pass) count += p.counters.draws;
+  return count;
 }
 
 /// Calls without the names of pipelines, which differ between techniques.

@@ -97,7 +97,9 @@ void indexBuffer(const DrawCheck& c, const Emit& emit) {
 
 void vertexRange(const DrawCheck& c, const Emit& emit) {
   if (!c.pipeline || !c.draw || (!c.direct && !c.indexed)) return;
-  const uint64_t instances = c.direct ? c.direct->instanceCount : c.indexed->instanceCount;
+  const uint64_t instances = c.direct
+                                 ? c.direct->instanceCount
+                                 : uint64_t(c.indexed->firstInstance) + c.indexed->instanceCount;
   for (const VertexAttribute& a : c.pipeline->attributes) {
     if (a.buffer >= c.pipeline->vertexBuffers.size() || a.buffer >= c.draw->vertexBuffers.size())
       continue;

@@ -23,12 +23,11 @@ vec4 depthsOf(float depth, uvec3 kept, uint s) {
 }
 
 void main() {
-  InstanceData i = instances[draw.ids.x];
-  OpticsData optics = lightOptics(materials[i.ids.x], v_uv, v_color);
+  OpticsData optics = lightOptics(material, v_uv, v_color);
   float depth = layerDepth();
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, depth)) discard;
-  uint triangle = floatBitsToUint(triangles[i.ids.z + uint(gl_PrimitiveID)].normalKey.w);
-  uint key = surfaceKey(i.ids.w, i.ids.y, triangle);
+  uint triangle = floatBitsToUint(triangles[INSTANCE_FIRST_TRIANGLE + uint(gl_PrimitiveID)].normalKey.w);
+  uint key = surfaceKey(INSTANCE_MESH_KEY, INSTANCE_KEY, triangle);
   uvec3 kept;
   for (int c = 0; c < 3; ++c) kept[c] = keptSamples(1.0 - optics.behind[c], key);
   if (kept == uvec3(0)) discard;

@@ -10,7 +10,7 @@ layout(location = 4) in vec4 v_color;
 layout(location = 0) out vec4 o_transmittance;
 
 void main() {
-  OpticsData optics = lightOptics(materials[instances[draw.ids.x].ids.x], v_uv, v_color);
+  OpticsData optics = lightOptics(material, v_uv, v_color);
   if (optics.alpha <= 0.0) discard;
   if (hiddenBy(texelFetch(t_opaqueDepth, ivec2(gl_FragCoord.xy), 0).r, layerDepth())) discard;
   o_transmittance = vec4(optics.behind, 1);

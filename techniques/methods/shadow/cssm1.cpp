@@ -27,6 +27,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
     m_geometry = context.knobs.is("layered", "geometry") ||
                  !context.device.supports(rhi::Feature::VertexLayer);
     m_copies = m_coloured && !m_geometry ? kChannels : 1;
+    context.view.copyInstances(context.device, m_copies);
     if (m_coloured) {
       m_noise.emplace(context);
       m_maps->bind(m_noise->binding());

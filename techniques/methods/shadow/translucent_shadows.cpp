@@ -86,7 +86,7 @@ class TranslucentShadows final : public ShadowTechnique {
       m_order = lightOrder(context, *m_maps, context.knobs.text("order"));
     }
     desc.constants.push_back({16, variant});
-    m_colourPipeline = context.pipelines.get(desc);
+    m_colourPipeline = context.pipeline(desc);
   }
 
   void recordView(Frame& frame, size_t i) {

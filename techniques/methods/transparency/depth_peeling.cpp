@@ -86,8 +86,8 @@ class DepthPeeling final : public TransparencyTechnique {
                                    .dstColor = rhi::BlendFactor::One,
                                    .srcAlpha = rhi::BlendFactor::Zero,
                                    .dstAlpha = rhi::BlendFactor::OneMinusSrcAlpha};
-    m_slideUnder = context.pipelines.get(under);
-    m_composite = context.pipelines.get(camera.compositePipeline("depth_peeling/composite.frag"));
+    m_slideUnder = context.pipeline(under);
+    m_composite = context.pipeline(camera.compositePipeline("depth_peeling/composite.frag"));
   }
 
   /// For the first layer and for those behind it.
@@ -98,9 +98,9 @@ class DepthPeeling final : public TransparencyTechnique {
   static LayerPipelines forEachLayer(const Context& context, rhi::GraphicsPipelineDesc desc) {
     LayerPipelines pipelines;
     desc.constants.push_back({32, 0});
-    pipelines.next = context.pipelines.get(desc);
+    pipelines.next = context.pipeline(desc);
     desc.constants.back().bits = 1;
-    pipelines.first = context.pipelines.get(desc);
+    pipelines.first = context.pipeline(desc);
     return pipelines;
   }
 

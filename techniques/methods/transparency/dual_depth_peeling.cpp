@@ -49,7 +49,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
 
     rhi::GraphicsPipelineDesc init = camera.unshadedPipeline("dual_depth_peeling/init.frag");
     init.targets = {{.format = kBoundsFormat, .blend = kMax}};
-    m_init = context.pipelines.get(init);
+    m_init = context.pipeline(init);
     rhi::GraphicsPipelineDesc peel = camera.translucentPipeline(
         m_coloured ? "dual_depth_peeling/coloured" : "dual_depth_peeling");
     peel.depth = {};
@@ -64,13 +64,12 @@ class DualDepthPeeling final : public TransparencyTechnique {
       peel.targets = {peel.targets.front(), light, weight, light, weight};
       m_layers = ColouredLayers(context, camera);
     }
-    m_peel = context.pipelines.get(peel);
+    m_peel = context.pipeline(peel);
     if (!m_coloured)
-      m_composite =
-          context.pipelines.get(camera.compositePipeline("dual_depth_peeling/composite.frag"));
+      m_composite = context.pipeline(camera.compositePipeline("dual_depth_peeling/composite.frag"));
     rhi::GraphicsPipelineDesc left = camera.compositePipeline("dual_depth_peeling/left.frag");
     left.targets.front() = {.format = CameraPass::kColorFormat, .writeMask = 0};
-    if (m_byQuery) m_left = context.pipelines.get(left);
+    if (m_byQuery) m_left = context.pipeline(left);
 
     const rhi::Binding opaque = rhi::textureAt(TEXTURE_TRANSPARENCY, camera.depth(), m_sampler);
     m_all = camera.drawListWith({&opaque, 1});

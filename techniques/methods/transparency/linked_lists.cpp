@@ -37,12 +37,12 @@ class LinkedLists final : public TransparencyTechnique {
     }
     build.targets.clear();
     build.constants.push_back({32, half});
-    m_build = context.pipelines.get(build);
+    m_build = context.pipeline(build);
     rhi::GraphicsPipelineDesc resolve =
         m_coloured ? camera.colouredCompositePipeline("linked_lists/coloured/resolve.frag")
                    : camera.compositePipeline("linked_lists/resolve.frag");
     resolve.constants = {{32, half}, {33, context.knobs.integer("layers")}};
-    m_resolve = context.pipelines.get(resolve);
+    m_resolve = context.pipeline(resolve);
 
     m_bindings = context.view.bindings();
     const auto pool = m_pool.bindings(STORAGE_TRANSPARENCY);
@@ -96,7 +96,7 @@ class LinkedLists final : public TransparencyTechnique {
     desc.fragment = nullptr;
     desc.targets.clear();
     desc.constants.clear();
-    const rhi::PipelineId pipeline = context.pipelines.get(desc);
+    const rhi::PipelineId pipeline = context.pipeline(desc);
     DrawList draws = camera.drawListWith({});
     rhi::FrameScope frame(context.device);
     rhi::CommandList& commands = frame.commands();

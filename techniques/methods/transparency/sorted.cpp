@@ -44,7 +44,7 @@ class Sorted final : public TransparencyTechnique {
     } else {
       m_instances = backToFront(view, camera.translucent());
     }
-    m_pipeline = context.pipelines.get(desc);
+    m_pipeline = context.pipeline(desc);
   }
 
   void cameraMoved(Frame& frame, CameraPass& camera) override {

@@ -106,11 +106,11 @@ class StochasticTransparency final : public TransparencyTechnique {
     else
       surfaces.targets.front().blend = {
           .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
-    m_surfaces = context.pipelines.get(surfaces);
+    m_surfaces = context.pipeline(surfaces);
     rhi::GraphicsPipelineDesc composite =
         camera.compositePipeline("stochastic_transparency/composite.frag");
     composite.constants = {{33, m_basic}};
-    m_composite = context.pipelines.get(composite);
+    m_composite = context.pipeline(composite);
     if (m_basic) return;
 
     rhi::GraphicsPipelineDesc total = camera.unshadedPipeline("stochastic_transparency/total.frag");
@@ -120,14 +120,14 @@ class StochasticTransparency final : public TransparencyTechnique {
                                 .dstColor = rhi::BlendFactor::SrcColor,
                                 .srcAlpha = rhi::BlendFactor::Zero,
                                 .dstAlpha = rhi::BlendFactor::One}}};
-    m_total = context.pipelines.get(total);
+    m_total = context.pipeline(total);
     rhi::GraphicsPipelineDesc depths =
         camera.unshadedPipeline("stochastic_transparency/depth.frag");
     depths.samples = m_samples;
     depths.constants.push_back({32, m_samples});
     depths.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
     depths.depthFormat = camera.depthFormat();
-    m_depths = context.pipelines.get(depths);
+    m_depths = context.pipeline(depths);
   }
 
   void composite(Frame& frame, CameraPass& camera) {

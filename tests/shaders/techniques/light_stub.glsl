@@ -1,8 +1,14 @@
 // Stands in for the scene's buffers, so that the filters of the techniques can be asked alone.
 #include "common/shared_slots.h"
 #include "common/shared_types.h"
-LightData lights[1];
-ShadowViewData shadowViews[1];
+LightData lightAt(uint) {
+  LightData none;
+  return none;
+}
+ShadowViewData shadowViewAt(uint) {
+  ShadowViewData none;
+  return none;
+}
 #include "common/transform.glsl"
 #include "common/receiver.glsl"
 
