@@ -31,6 +31,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/light_area_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp

@@ -2,7 +2,9 @@
 // them alone (described for users in EXTRAS.md):
 //   material  {"alpha": 0..1, "t": [r,g,b] 0..1}   opacity and transmission colour stated outright
 //   light     {"radius": r >= 0}                   world units (point, spot) or radians
-//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
+//   (directional)
+//             {"shape": "sphere"|"ellipsoid"|"rectangle"|"disc", "half_axes": [..] > 0}
+//   node      {"medium": {"kind": "homogeneous"|"smoke", "extinction": [r,g,b] >= 0,
 //              "albedo": [r,g,b] 0..1, "anisotropy": -1..1, "seed": 0..}}
 //                                                  fills the node's unit cube [0,1]^3
 //   scene     {"ambient": [r,g,b] >= 0, "sky": [r,g,b] >= 0, "background": [r,g,b] >= 0}
@@ -12,6 +14,7 @@
 
 #include "suites/scenes/gltf/context.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -55,6 +58,19 @@ glm::vec3 triple(const GltfContext& context, const std::string& field, const Val
   return v;
 }
 
+std::string word(const GltfContext& context, const std::string& field, const std::string& what,
+                 const Value& value, const std::vector<std::string>& known) {
+  const std::string name = value.IsString() ? value.Get<std::string>() : "";
+  if (std::ranges::find(known, name) == known.end())
+    context.fail(field, unknownName(what, name, known));
+  return name;
+}
+
+/// Directional lights fill less than the half of the sky before a receiver.
+constexpr double kHalfTurn = 1.5;
+/// World units: of what has a place in the world (EXTRAS.md), and what doubles can divide by.
+constexpr double kLongest = 1e18, kShortest = 1e-18;
+
 }  // namespace
 
 void readMaterialExtras(const GltfContext& context, const std::string& field, const Value& extras,
@@ -69,10 +85,43 @@ void readMaterialExtras(const GltfContext& context, const std::string& field, co
     material.overrideTransmission = triple(context, path + ".t", ours->Get("t"), 1);
 }
 
-double readLightRadius(const GltfContext& context, const std::string& field, const Value& extras) {
-  const Value* ours = shadowbench(context, field, extras, {"radius"});
-  if (!ours || !ours->Has("radius")) return 0;
-  return number(context, field + ".extras.shadowbench.radius", ours->Get("radius"), 0, FLT_MAX);
+void readLightExtras(const GltfContext& context, const std::string& field, const Value& extras,
+                     const glm::dmat3& frame, Light& light) {
+  const bool local = light.type != LightType::Directional;
+  const Value* ours = shadowbench(context, field, extras,
+                                  local ? std::vector<std::string>{"radius", "shape", "half_axes"}
+                                        : std::vector<std::string>{"radius"});
+  if (!ours) return;
+  const std::string path = field + ".extras.shadowbench";
+  const std::vector<std::string> shapes = {"sphere", "ellipsoid", "rectangle", "disc"};
+  std::string shape = "sphere";
+  if (ours->Has("shape"))
+    shape = word(context, path + ".shape", "shape", ours->Get("shape"), shapes);
+  const char* extent = shape == "sphere" ? "radius" : "half_axes";
+  for (const char* key : {"radius", "half_axes"})
+    if (ours->Has(key) != (key == std::string(extent)) && (ours->Has(key) || ours->Has("shape")))
+      context.fail(path + "." + key,
+                   ours->Has(key) ? "is no property of a " + shape : "is missing of a " + shape);
+  if (shape == "sphere") {
+    if (!ours->Has("radius")) return;
+    const double most = local ? kLongest : kHalfTurn;
+    const double radius = number(context, path + ".radius", ours->Get("radius"), 0, most);
+    if (local)
+      makeSphere(light, radius);
+    else
+      light.angularRadius = radius;
+    return;
+  }
+  const int axes = shape == "ellipsoid" ? 3 : 2;
+  const Value& lengths = ours->Get("half_axes");
+  if (!lengths.IsArray() || lengths.ArrayLen() != size_t(axes))
+    context.fail(path + ".half_axes", "expected an array of " + std::to_string(axes) + " numbers");
+  light.shape = shape == "ellipsoid"   ? LightShape::Ellipsoid
+                : shape == "rectangle" ? LightShape::Rectangle
+                                       : LightShape::Disc;
+  for (int i = 0; i < axes; ++i)
+    light.halfAxes[i] = frame[i] * number(context, fieldAt(path + ".half_axes", size_t(i)),
+                                          lengths.Get(size_t(i)), kShortest, kLongest);
 }
 
 void readMediumExtras(GltfContext& context, const std::string& field, const Value& extras,
@@ -89,11 +138,8 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
   Medium medium;
   medium.boxToWorld = toWorld;
   if (value.Has("kind")) {
-    const Value& kind = value.Get("kind");
-    const std::string name = kind.IsString() ? kind.Get<std::string>() : "";
-    const std::vector<std::string> kinds = {"homogeneous", "smoke"};
-    if (std::ranges::find(kinds, name) == kinds.end())
-      context.fail(path + ".kind", unknownName("kind of medium", name, kinds));
+    const std::string name = word(context, path + ".kind", "kind of medium", value.Get("kind"),
+                                  {"homogeneous", "smoke"});
     medium.kind = name == "smoke" ? MediumKind::Smoke : MediumKind::Homogeneous;
   }
   if (!value.Has("extinction")) context.fail(path + ".extinction", "is missing");
