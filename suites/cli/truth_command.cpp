@@ -81,6 +81,8 @@ int truthCommand(const Options& options) {
   print(fmt::format("{} rays in {:.2f} s: {:.2f} million a second{}\n", truth->rays, truth->seconds,
                     double(truth->rays) / truth->seconds * 1e-6,
                     cached ? " (traced by an earlier run)" : ""));
+  if (truth->standardError > 0)
+    print(fmt::format("standard error of visibility: {:.1e} at most\n", truth->standardError));
   return 0;
 }
 

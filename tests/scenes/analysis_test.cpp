@@ -125,11 +125,11 @@ TEST_F(AnalysisTest, AreaLightsWidenShadows) {
 }
 
 TEST_F(AnalysisTest, LampsWithAnExtentReachAside) {
-  // A board beside the lamp, higher than it: no ray from the floor to its centre meets it.
+  // A board beside the view and the lamp: no ray from the floor to its centre meets it.
   Light& lamp = m_scene.lights[0];
   lamp.type = LightType::Point;
-  lamp.position = {0, 6, 0};
-  quad(matteMaterial("a", glm::vec3(1)), 0, 7.5, 0);
+  lamp.position = {3.9, 6, 0};
+  quad(matteMaterial("a", glm::vec3(1)), 5.6, 6, 0);
   EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 1u);
   EXPECT_FALSE(has(Effect::AreaLights));
   lamp.shape = LightShape::Rectangle;
@@ -141,7 +141,7 @@ TEST_F(AnalysisTest, LampsWithAnExtentReachAside) {
   makeSphere(lamp, 1);
   EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 1u);
   makeSphere(lamp, 5.9);
-  quad(matteMaterial("b", glm::vec3(1)), 25, 7.5, 0);
+  quad(matteMaterial("b", glm::vec3(1)), 25, 6, 0);
   EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 3u);
 }
 

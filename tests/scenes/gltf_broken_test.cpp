@@ -190,7 +190,7 @@ TEST_F(GltfBroken, Extras) {
   expectLight("point", {{"shape", "ellipsoid"}, {"half_axes", {1, 2}}},
               {".half_axes", "3 numbers"});
   expectLight("point", {{"shape", "rectangle"}, {"half_axes", {1, 0}}}, {".half_axes[1]", "0"});
-  expectLight("spot", {{"shape", "rectangle"}, {"half_axes", {-1, 1}}}, {".half_axes[0]", "-1"});
+  expectLight("point", {{"shape", "rectangle"}, {"half_axes", {-1, 1}}}, {".half_axes[0]", "-1"});
   expectLight("point", {{"radius", -1}}, {".radius", "-1"});
   expectLight("directional", {{"radius", 2}}, {".radius", "2", "1.5"});
   expectLight("directional", {{"shape", "disc"}}, {"shape", "radius"});

@@ -117,6 +117,7 @@ TEST_F(GltfForms, LightsHaveShapes) {
       shaped("point", {{"shape", "sphere"}, {"radius", 0.5}}),
       shaped("directional", {{"radius", 0.1}}),
       {{"type", "point"}}};
+  gltf["extensions"]["KHR_lights_punctual"]["lights"][1]["spot"] = json::object();
   gltf["nodes"] = {{{"mesh", 0}}};
   gltf["scenes"][0]["nodes"] = {0};
   for (int i = 0; i < 6; ++i) {

@@ -3,9 +3,8 @@
 // forms), where it is exact with one ray, and what its sampling may depend on.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include <cmath>
+#include <numbers>
 
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/random.h"
@@ -19,7 +18,6 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
 
 /// What the truth promises: twice its standard error.
 constexpr double kExpected = 1e-3;
@@ -228,7 +226,16 @@ TEST(TruthArea, WithinTheLightNothingIsDefined) {
 TEST(TruthArea, ALampInTheCeilingIsNotShadowedByIt) {
   Scene scene = under(areaLight({0.3, 4, 0.1}, LightShape::Rectangle, {0.7, 0.3, 0}));
   addStrip(scene, 4, -1000, 1000);
-  EXPECT_EQ(shareAt(scene, 0.123, 0.456), 1);
+  const Tracer tracer(scene, 16, 16);
+  EXPECT_EQ(shareAt(tracer, 0.123, 0.456), 1);
+  EXPECT_EQ(shareAt(tracer, 0.123, 0.456, {.pattern = 16}), 1);
+}
+
+TEST(TruthArea, WhatFewSamplesMissIsFound) {
+  // A thousandth of the disc: 256 samples may all pass it by, and agree.
+  Scene scene = under(areaLight({0, 4, 0}, LightShape::Disc, {1, 1, 0}));
+  addStrip(scene, 2, 0.985 / 2, 1000);
+  EXPECT_NEAR(shareAt(scene, 0, 0), 1 - segment(0.985), 5e-4);
 }
 
 Scene penumbra() {

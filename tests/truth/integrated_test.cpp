@@ -13,8 +13,6 @@ namespace {
 
 using glm::dvec3;
 
-
-
 Scene floorUnder(const Light& light) {
   Scene scene = floorScene(false);
   addLight(scene, light);
