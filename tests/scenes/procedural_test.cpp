@@ -67,6 +67,7 @@ TEST(Procedural, LampsStandWhereTheSunComesFrom) {
       EXPECT_EQ(lamp.type, LightType::Point);
       EXPECT_EQ(isSphere(lamp), shape == "sphere");
       EXPECT_NEAR(glm::length(lamp.halfAxes[0]), 2, 1e-12);
+      EXPECT_GT(lamp.intensity, 600) << "3.14 lux from 14 away and more";
       EXPECT_NEAR(glm::length(lamp.direction - along), 0, 1e-12);
       // Flat ones face what they light.
       if (shape == "rectangle")
