@@ -10,6 +10,7 @@
 
 #include "reports/console_names.h"
 #include "reports/console_table.h"
+#include "reports/record_view.h"
 
 namespace report {
 namespace {
@@ -64,7 +65,8 @@ Row rowOf(const Record& r, CellNames& names) {
   if (r.precision) row[3] = fmt::format("{:.0f}%", 100 * *r.precision);
   row[4] = ratio(r, "baseline");
   row[5] = ratio(r, "backend");
-  if (r.visibility) row[6] = fmt::format("{:.4f}", r.visibility->all.rmse);
+  if (r.visibility)
+    row[6] = fmt::format("{}{:.4f}", belowTruth(r) ? "~" : "", r.visibility->all.rmse);
   if (r.visibility && r.visibility->weighted)
     row[7] = fmt::format("{:.4f}", *r.visibility->weighted);
   if (r.noise) row[8] = fmt::format("{:.4f}", r.noise->noise);
@@ -115,6 +117,8 @@ std::string legend(const Run& run) {
         "Against the ray-traced truth: error = RMSE of visibility; by light = the same, each pixel "
         "weighed by the light that it would reflect unshadowed; noise = its standard deviation over "
         "seeds; image = RMSE of the picture, FLIP = its mean.\n";
+  if (std::ranges::any_of(run.records, belowTruth))
+    out += "~: less than three standard errors of the truth, which cannot tell it from 0.\n";
   if (sources.contains("gpu-timestamp"))
     out += "Frame times are GPU timestamps; ± and the ratios are of them.\n";
   if (sources.contains("wall"))

@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "base/text.h"
+#include "reports/record_view.h"
 
 namespace report {
 namespace {
@@ -163,6 +164,9 @@ void addErrors(std::vector<Column>& c) {
     return joined(parts);
   });
   add("truth_stderr", [](const Record& r) { return optionalNumber(r.truthStderr); });
+  add("below_truth", [](const Record& r) {
+    return std::string(!r.visibility ? "" : belowTruth(r) ? "true" : "false");
+  });
 }
 
 std::string knobText(const Record& r) {

@@ -1,5 +1,7 @@
 #include "reports/json_error.h"
 
+#include "reports/record_view.h"
+
 namespace report {
 namespace {
 
@@ -99,6 +101,8 @@ void putErrors(Json& out, const Record& r) {
   put(out, r, "blame", r.blame);
   out["truth_stderr"] = r.truthStderr ? Json(*r.truthStderr) : Json(nullptr);
   putWhy(out, r, "truth_stderr", !r.truthStderr);
+  out["below_truth"] = r.visibility ? Json(belowTruth(r)) : Json(nullptr);
+  if (!r.visibility) out["below_truth_why"] = whyOf(r, "visibility");
 }
 
 }  // namespace report

@@ -30,6 +30,10 @@ const std::optional<Distribution>& comparedTime(const Record& r) {
   return timeKeyOf(r) == "cpu_ms" ? r.cpu : r.frame;
 }
 
+bool belowTruth(const Record& r) {
+  return r.visibility && r.visibility->all.rmse < 3 * r.truthStderr.value_or(0);
+}
+
 std::string whyOf(const Record& r, const std::string& key) {
   const auto found = r.why.find(key);
   return found == r.why.end() ? "" : found->second;

@@ -16,6 +16,9 @@ std::string variantOf(const Record& r);
 /// The time that cells are compared by: CPU time on software devices, else the frame's.
 std::string timeKeyOf(const Record& r);
 const std::optional<Distribution>& comparedTime(const Record& r);
+/// Is the error of visibility less than three standard errors of the truth, which therefore cannot
+/// tell it from 0? Never where the truth is exact.
+bool belowTruth(const Record& r);
 /// The record's word on why a value is absent; "" when there is none.
 std::string whyOf(const Record& r, const std::string& key);
 

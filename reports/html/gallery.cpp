@@ -93,9 +93,10 @@ std::string card(const PageModel& model, const std::vector<const Record*>& same,
       "</h4>\n<div class=\"pictures\">\n";
   out += figureHtml(pictures.html(r, "image", "Picture of " + label),
                     r.image ? "image, RMSE " + figure(r.image->all.rmse) : "image");
-  out += figureHtml(
-      pictures.html(r, "error", "Error map of " + label),
-      r.visibility ? "error, visibility RMSE " + figure(r.visibility->all.rmse) : "error");
+  out += figureHtml(pictures.html(r, "error", "Error map of " + label),
+                    r.visibility ? "error, visibility RMSE " + figure(r.visibility->all.rmse) +
+                                       (belowTruth(r) ? ", below the truth's resolution" : "")
+                                 : "error");
   out += figureHtml(pictures.html(r, "blame", "Blame map of " + label), "blame");
   return out + "</div>\n" + shares(r, settings) + "</article>\n";
 }

@@ -82,11 +82,21 @@ struct MaterialData {
 #define LIGHT_SPOT 2u
 #define NO_SHADOW 0xFFFFFFFFu
 
+// What a light is made of: LightData::shape.x
+#define SHAPE_POINT 0u
+#define SHAPE_ELLIPSOID 1u
+#define SHAPE_RECTANGLE 2u
+#define SHAPE_DISC 3u
+
 struct LightData {
   vec4 positionRange;   // camera-relative position, 1 / range (0: unlimited)
   vec4 directionScale;  // unit, the way light travels; w: spot angle scale
   vec4 colorOffset;     // intensity x colour; w: spot angle offset
   uvec4 ids;            // x: type, y: first shadow view or NO_SHADOW, z: number of views, w: scene index
+  vec4 halfAxis0;       // of the shape, world units; directional: of a disc across the light at
+  vec4 halfAxis1;       // distance 1 from the receiver (angular radius)
+  vec4 halfAxis2;       // 0: the shape is flat
+  uvec4 shape;          // x: SHAPE_*; POINT casts hard shadows
 };
 
 // A projection of a light onto a layer of a shadow map.
@@ -113,7 +123,9 @@ static_assert(offsetof(MaterialData, emissiveCutoff) == 16 && offsetof(MaterialD
               offsetof(MaterialData, overrideOptics) == 80 && offsetof(MaterialData, flags) == 96 &&
               offsetof(MaterialData, uvRows) == 112 && sizeof(MaterialData) == 336);
 static_assert(offsetof(LightData, directionScale) == 16 && offsetof(LightData, colorOffset) == 32 &&
-              offsetof(LightData, ids) == 48 && sizeof(LightData) == 64);
+              offsetof(LightData, ids) == 48 && offsetof(LightData, halfAxis0) == 64 &&
+              offsetof(LightData, halfAxis1) == 80 && offsetof(LightData, halfAxis2) == 96 &&
+              offsetof(LightData, shape) == 112 && sizeof(LightData) == 128);
 static_assert(offsetof(ShadowViewData, planeToClip) == 64 && offsetof(ShadowViewData, origin) == 128 &&
               offsetof(ShadowViewData, texel) == 144 && offsetof(ShadowViewData, ids) == 160 &&
               sizeof(ShadowViewData) == 176);

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "reports/record.h"
+#include "suites/harness/cell.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/render/registry.h"
 
@@ -33,6 +34,7 @@ void describe(std::string& out, const TechniqueInfo& info) {
 std::string helpFooter() {
   std::string out = "Techniques and their knobs (--set knob=value[,value...]):\n";
   for (const auto* t : shadowTechniques()) describe(out, t->info);
+  describe(out, referenceInfo());
   out += "Camera transparency (--technique NAME+TRANSPARENCY; NAME alone means NAME+Sorted):\n";
   for (const auto* t : transparencyTechniques()) describe(out, t->info);
   out += "Scenes (--scene NAME:param=value,... or a .gltf or .glb file):\n";

@@ -6,8 +6,23 @@
 
 namespace sb {
 
+const TechniqueInfo& referenceInfo() {
+  static const TechniqueInfo info = {
+      .name = kReferenceTechnique,
+      .title = "the truth's own tracer, on the CPU",
+      .paper = "this project",
+      .knobs = {{.name = "rays",
+                 .unit = "rays",
+                 .help = "shadow rays to each light with an extent, in a fixed (0,2)-pattern; one "
+                         "goes to its centre",
+                 .fallback = "1",
+                 .choices = {"1", "2", "4", "8", "16", "32", "64", "128", "256", "512", "1024"},
+                 .sweep = {"1", "4", "16", "64", "256"}}}};
+  return info;
+}
+
 Knobs cellKnobs(const CellId& id) {
-  if (isReference(id)) return Knobs::resolve({}, id.knobs);
+  if (isReference(id)) return Knobs::resolve(referenceInfo().knobs, id.knobs);
   return Knobs::resolve(
       knobsOf(shadowTechnique(id.technique).info, transparencyTechnique(id.transparency).info),
       id.knobs);

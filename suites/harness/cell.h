@@ -11,6 +11,8 @@
 
 namespace sb {
 
+struct TechniqueInfo;
+
 /// Of stochastic techniques, where nothing else is asked for.
 inline constexpr uint32_t kDefaultSeeds = 64;
 
@@ -47,5 +49,7 @@ inline constexpr const char* kDefaultTransparency = "Sorted";
 inline constexpr const char* kReferenceTechnique = "RayTraced";
 inline constexpr const char* kReferenceBackend = "cpu";
 inline bool isReference(const CellId& id) { return id.technique == kReferenceTechnique; }
+/// What the reference is and its knobs, in the words of techniques.
+const TechniqueInfo& referenceInfo();
 
 }  // namespace sb

@@ -26,12 +26,6 @@ void addFile(const std::string& role, const report::Picture& picture,
   files[hash] = std::move(png);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string out;
-  for (const std::string& p : parts) out += (out.empty() ? "" : "; ") + p;
-  return out;
-}
-
 }  // namespace
 
 Judge::Judge(const Scene& scene, std::string sceneHash, rhi::Extent2D size, JudgeSettings settings)
@@ -40,8 +34,6 @@ Judge::Judge(const Scene& scene, std::string sceneHash, rhi::Extent2D size, Judg
       m_size(size),
       m_settings(std::move(settings)) {
   if (!m_settings.enabled) m_why = "no truth was asked for";
-  if (const auto missing = notYetRepresented(scene); m_why.empty() && !missing.empty())
-    m_why = "the truth cannot show this scene yet: " + joined(missing);
 }
 
 const Tracer& Judge::tracer() {

@@ -50,9 +50,12 @@ std::string sceneHash(const Scene& scene) {
     b << m.material << m.positions << m.normals << m.tangents << m.uv0 << m.uv1 << m.colors
       << m.indices << m.triangleKeys << m.key;
   for (const Instance& i : scene.instances) b << i.mesh << i.toWorld << i.key;
-  for (const Light& l : scene.lights)
+  for (const Light& l : scene.lights) {
     b << l.type << l.position << l.direction << l.color << l.intensity << l.range << l.innerCone
-      << l.outerCone << l.radius << l.key;
+      << l.outerCone << l.angularRadius << l.key;
+    // As below: lights without a shape keep what they were.
+    if (l.shape != LightShape::Point) b << l.shape << l.halfAxes;
+  }
   for (const Medium& m : scene.media)
     b << m.kind << m.boxToWorld << m.extinction << m.albedo << m.anisotropy << m.seed << m.time
       << m.size << m.density;

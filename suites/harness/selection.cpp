@@ -27,7 +27,7 @@ struct Pair {
   const ShadowEntry* shadow = nullptr;  ///< null: the reference
   const TransparencyEntry* transparency = nullptr;
   std::vector<KnobInfo> knobs() const {
-    return shadow ? knobsOf(shadow->info, transparency->info) : std::vector<KnobInfo>();
+    return shadow ? knobsOf(shadow->info, transparency->info) : referenceInfo().knobs;
   }
   /// Backends of its cells among those asked for (empty: the default ones).
   std::vector<std::string> backends(const Selection& selection,
@@ -75,6 +75,7 @@ std::string techniquesWith(const std::string& knob) {
   };
   for (const ShadowEntry* t : shadowTechniques()) add(t->info);
   for (const TransparencyEntry* t : transparencyTechniques()) add(t->info);
+  add(referenceInfo());
   return names;
 }
 

@@ -61,14 +61,18 @@ class RendererSubject final : public Subject {
 class TracerSubject final : public Subject {
  public:
   TracerSubject(const CellId& id, const Scene& scene)
-      : m_id(id), m_lights(uint32_t(scene.lights.size())), m_start(clockMs(CLOCK_MONOTONIC)), m_tracer(scene, id.width, id.height) {
+      : m_id(id),
+        m_lights(uint32_t(scene.lights.size())),
+        m_rays(cellKnobs(id).integer("rays")),
+        m_start(clockMs(CLOCK_MONOTONIC)),
+        m_tracer(scene, id.width, id.height) {
     m_createMs = clockMs(CLOCK_MONOTONIC) - m_start;
   }
 
   FrameResult frame(FrameMode) override {
     FrameResult result;
     const double wall = clockMs(CLOCK_MONOTONIC), cpu = clockMs(CLOCK_PROCESS_CPUTIME_ID);
-    m_image = m_tracer.image();
+    m_image = m_tracer.image(m_rays);
     result.wallMs = clockMs(CLOCK_MONOTONIC) - wall;
     result.cpuMs = clockMs(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     return result;
@@ -84,7 +88,9 @@ class TracerSubject final : public Subject {
     return lights;
   }
   std::vector<VisibilityImage> visibility(uint32_t light, uint32_t) override {
-    if (!m_answers) m_answers = m_tracer.trace({.width = m_id.width, .height = m_id.height});
+    if (!m_answers)
+      m_answers = m_tracer.trace(
+          {.width = m_id.width, .height = m_id.height, .sampling = {.pattern = m_rays}});
     const auto first = m_answers->visibility.begin() + ptrdiff_t(light) * kTruthLayers;
     std::vector<VisibilityImage> layers(first, first + kTruthLayers);
     // A visibility buffer has an answer wherever a surface is, asked for or not.
@@ -106,7 +112,7 @@ class TracerSubject final : public Subject {
   }
 
   const CellId m_id;
-  const uint32_t m_lights;
+  const uint32_t m_lights, m_rays;
   const double m_start;
   Tracer m_tracer;
   double m_createMs = 0;
@@ -135,8 +141,6 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
     record.device = cpuName();
     record.deviceType = rhi::deviceTypeName(rhi::DeviceType::Software);
     record.driver = "the truth's tracer";
-    if (const auto missing = notYetRepresented(context.stage.scene()); !missing.empty())
-      return skip(record, "not yet represented: " + missing.front());
     if (!context.stage.scene().path.empty())
       record.warnings.push_back(
           "the camera of the tracer stands still, where the path ends: it traces the last frame "

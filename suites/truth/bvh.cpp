@@ -186,4 +186,11 @@ void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay&
   search.finish();
 }
 
+void Bvh::hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
+                 const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) {
+  Search search(triangles, ray, judge, out);
+  for (const uint32_t i : among) search.test(i);
+  search.finish();
+}
+
 }  // namespace sb

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "suites/truth/triangles.h"
@@ -44,9 +45,11 @@ class Bvh {
   /// Memory that Embree keeps.
   uint64_t bytes() const;
 
-  /// The same by testing every triangle.
+  /// The same by testing every triangle, or those `among` them alone.
   static void hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                         const Judge& judge, std::vector<TruthHit>& out);
+  static void hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
+                     const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out);
 
  private:
   struct Impl;

@@ -5,6 +5,9 @@
 namespace sb {
 namespace {
 
+/// Of lights with an extent at each of the many points along a ray, whose mean counts.
+constexpr AreaSampling kAlongRay = {.first = 64, .most = 1024, .error = 5e-3};
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A point on no surface.
@@ -18,8 +21,10 @@ Tracer::Point inSpace(const glm::dvec3& position) {
 
 }  // namespace
 
-void MediaView::find(double x, double y, const RayScene::CameraHits& found) {
+void MediaView::find(double x, double y, const RayScene::CameraHits& found,
+                     const AreaSampling& sampling) {
   m_x = x, m_y = y, m_found = &found;
+  m_sampling = sampling.pattern > 0 ? sampling : kAlongRay;
   if (m_scene.media().empty()) return;
   m_point.asked.assign(m_scene.lights(), 0);
   m_point.visible.assign(m_scene.lights(), glm::dvec3(1));
@@ -31,8 +36,9 @@ void MediaView::find(double x, double y, const RayScene::CameraHits& found) {
   for (uint32_t l = 0; l < m_scene.lights(); ++l) {
     if (m_scene.illumination(l, at).radiance == glm::vec3(0)) continue;
     m_point.asked[l] = 1;
-    m_point.visible[l] = m_scene.visibility(l, at, m_scratch);
-    ++m_rays;
+    const auto answer = m_lights.ask(l, at, sampling, m_scratch);
+    m_point.visible[l] = answer.visible;
+    m_rays += answer.rays;
   }
 }
 
@@ -41,10 +47,11 @@ void MediaView::lightsAt(const glm::dvec3& position, std::vector<MediaField::Arr
   for (uint32_t l = 0; l < m_scene.lights(); ++l) {
     const glm::vec3 irradiance = m_scene.illumination(l, at).radiance;
     if (irradiance == glm::vec3(0)) continue;
+    const auto answer = m_lights.ask(l, at, m_sampling, m_scratch);
     out.push_back({.toLight = m_scene.toLight(l, position),
                    .irradiance = glm::dvec3(irradiance),
-                   .visible = m_scene.visibility(l, at, m_scratch)});
-    ++m_rays;
+                   .visible = answer.visible});
+    m_rays += answer.rays;
   }
 }
 

@@ -1,16 +1,17 @@
 // The media that one camera ray passes between the surfaces that it meets.
 #pragma once
 
-#include "suites/truth/ray_scene.h"
+#include "suites/truth/light_visibility.h"
 
 namespace sb {
 
 class MediaView {
  public:
-  explicit MediaView(const RayScene& scene) : m_scene(scene) {}
+  MediaView(const RayScene& scene, const LightVisibility& lights)
+      : m_scene(scene), m_lights(lights) {}
 
   /// Turns to a position in the picture, in pixels. `found` must stand until the next.
-  void find(double x, double y, const RayScene::CameraHits& found);
+  void find(double x, double y, const RayScene::CameraHits& found, const AreaSampling& sampling);
 
   /// Where visibility within media is asked for, once a pixel: the middle of the ray's first piece
   /// within boxes (those that overlap or touch are one), from the eye to the first opaque surface.
@@ -31,10 +32,12 @@ class MediaView {
   void lightsAt(const glm::dvec3& position, std::vector<MediaField::Arrival>& out);
 
   const RayScene& m_scene;
+  const LightVisibility& m_lights;
   const RayScene::CameraHits* m_found = nullptr;
   double m_x = 0, m_y = 0;
   Point m_point;
-  std::vector<TruthHit> m_scratch;
+  AreaSampling m_sampling;  ///< of points along the ray
+  LightVisibility::Scratch m_scratch;
   uint64_t m_rays = 0;
 };
 

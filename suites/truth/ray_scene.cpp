@@ -189,35 +189,41 @@ bool RayScene::holds(uint32_t triangle, const Tracer::Point& point) const {
          coplanar(own, other);
 }
 
-dvec3 RayScene::visibility(uint32_t light, const Tracer::Point& point,
-                           std::vector<TruthHit>& scratch, double ownNear) const {
-  TruthRay ray{.origin = point.position,
-               .direction = toLight(light, point.position),
-               .tMin = 0,
-               .tMax = std::numeric_limits<double>::infinity()};
-  const bool local = m_scene.lights[light].type != LightType::Directional;
-  if (local) {
-    ray.direction = m_lightPositions[light] - point.position;
-    ray.tMax = 1;
-  }
+bool RayScene::isInPlane(uint32_t triangle, const dvec3& place) const {
+  return touches(m_triangles[triangle], place);
+}
+
+RayScene::Target RayScene::target(uint32_t light, const dvec3& position) const {
+  if (m_scene.lights[light].type == LightType::Directional)
+    return {.toward = toLight(light, position), .place = dvec3(0), .infinite = true};
+  return {.toward = m_lightPositions[light] - position, .place = m_lightPositions[light]};
+}
+
+dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
+                       std::vector<TruthHit>& scratch, double ownNear,
+                       std::optional<std::span<const uint32_t>> among) const {
+  const TruthRay ray{.origin = point.position,
+                     .direction = target.toward,
+                     .tMin = 0,
+                     .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1};
   bool blocked = false;
   const double own = ownNear / glm::length(ray.direction);
-  const Bvh::Judge judge = [&](const TruthHit& hit) {
-    if (hit.triangle == point.triangle ||
+  const auto judge = [&](const TruthHit& hit) {
+    if (isOwn(hit.triangle, point) ||
         (hit.t < own && m_triangles[hit.triangle].instance == point.instance) ||
-        holds(hit.triangle, point) ||
-        (local && hit.t > 0.5 && touches(m_triangles[hit.triangle], m_lightPositions[light])))
+        (!target.infinite && hit.t > 0.5 && isInPlane(hit.triangle, target.place)))
       return Bvh::Verdict::Ignore;
-    const Surface at = surface(hit);
-    const bool blocks =
-        at.traits().blocks ||
-        (at.traits().material.lightClass == MaterialClass::Perforated && at.optics().alpha >= 0.5f);
+    const SurfaceTraits& traits = this->traits(hit.triangle);
+    const bool perforated = traits.material.lightClass == MaterialClass::Perforated;
+    const bool blocks = traits.blocks || (perforated && surface(hit).optics().alpha >= 0.5f);
     blocked |= blocks;
     if (blocks) return Bvh::Verdict::Stop;
-    return at.traits().material.lightClass == MaterialClass::Perforated ? Bvh::Verdict::Ignore
-                                                                        : Bvh::Verdict::Keep;
+    return perforated ? Bvh::Verdict::Ignore : Bvh::Verdict::Keep;
   };
-  m_bvh->hits(ray, judge, scratch);
+  if (among)
+    Bvh::hitsOf(m_triangles, *among, ray, std::ref(judge), scratch);
+  else
+    m_bvh->hits(ray, std::ref(judge), scratch);
   if (blocked) return dvec3(0);
   dvec3 passed(1);
   for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());

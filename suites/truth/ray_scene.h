@@ -27,10 +27,26 @@ class RayScene {
   void cameraHits(double x, double y, CameraHits& out) const;
   Tracer::Point point(double x, double y, const TruthHit& hit) const;
 
-  /// Product of what each surface and medium between lets through; 0 at the first opaque one.
-  /// `ownNear`: the receiver's own instance does not count within that distance.
-  glm::dvec3 visibility(uint32_t light, const Tracer::Point& point, std::vector<TruthHit>& scratch,
-                        double ownNear = 0) const;
+  /// Where a shadow ray ends: in a place, or nowhere.
+  struct Target {
+    glm::dvec3 toward;  ///< from the point: to the place, or a direction of any length
+    glm::dvec3 place;   ///< relative to the eye
+    bool infinite = false;
+  };
+  /// The light's centre.
+  Target target(uint32_t light, const glm::dvec3& position) const;
+  /// Product of what each surface and medium between lets through; 0 at the first opaque one. `ownNear`: the
+  /// receiver's own instance does not count within that distance. `among`: the only triangles that
+  /// can be between, if they are known.
+  glm::dvec3 passed(const Tracer::Point& point, const Target& target,
+                    std::vector<TruthHit>& scratch, double ownNear = 0,
+                    std::optional<std::span<const uint32_t>> among = {}) const;
+  /// Does the triangle neither shadow the point nor anything else in its plane?
+  bool isOwn(uint32_t triangle, const Tracer::Point& point) const {
+    return triangle == point.triangle || holds(triangle, point);
+  }
+  /// Is a place in the triangle's plane, as far as doubles can tell?
+  bool isInPlane(uint32_t triangle, const glm::dvec3& place) const;
   /// Where the receiver's own instance lies nearest to `point` along the light, `reach` to either
   /// side; the point as if it lay there.
   std::optional<Tracer::Point> ownSurfaceAlong(uint32_t light, const Tracer::Point& point,
@@ -41,6 +57,13 @@ class RayScene {
   gpu::Illumination illumination(uint32_t light, const Tracer::Point& point) const;
   /// Toward the light, unit.
   glm::dvec3 toLight(uint32_t light, const glm::dvec3& position) const;
+  const std::vector<TruthTriangle>& triangles() const { return m_triangles; }
+  const SurfaceTraits& traits(uint32_t triangle) const {
+    return m_traits[m_scene.meshes[m_scene.instances[m_triangles[triangle].instance].mesh]
+                        .material];
+  }
+  /// Farthest coordinate of anything, relative to the eye.
+  double extent() const { return m_reach; }
   /// Relative to the eye; local lights.
   const glm::dvec3& lightPosition(uint32_t light) const { return m_lightPositions[light]; }
 

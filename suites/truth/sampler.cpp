@@ -1,9 +1,9 @@
 #include "suites/truth/sampler.h"
 
-
 namespace sb {
 
-void Sampler::find(double x, double y) {
+void Sampler::find(double x, double y, const AreaSampling& sampling) {
+  m_sampling = sampling;
   m_scene.cameraHits(x, y, m_found);
   ++m_rays;
   m_layers.clear();
@@ -11,15 +11,15 @@ void Sampler::find(double x, double y) {
     Layer& layer = m_layers.emplace_back();
     layer.point = m_scene.point(x, y, hit);
     layer.asked.assign(m_scene.lights(), 0);
-    layer.visible.assign(m_scene.lights(), glm::dvec3(1));
+    layer.answers.assign(m_scene.lights(), {});
     for (uint32_t l = 0; l < m_scene.lights(); ++l) {
       if (!m_scene.reaches(l, layer.point)) continue;
       layer.asked[l] = 1;
-      layer.visible[l] = m_scene.visibility(l, layer.point, m_scratch);
-      ++m_rays;
+      layer.answers[l] = m_lights.ask(l, layer.point, sampling, m_scratch);
+      m_rays += layer.answers[l].rays;
     }
   }
-  m_media.find(x, y, m_found);
+  m_media.find(x, y, m_found, sampling);
 }
 
 float Sampler::reflected(size_t layer, uint32_t light) const {
@@ -35,27 +35,40 @@ float Sampler::reflected(size_t layer, uint32_t light) const {
   return std::max(0.0f, glm::dot(radiance, glm::vec3(0.2126f, 0.7152f, 0.0722f)));
 }
 
+glm::vec3 Sampler::shade(size_t index) {
+  const Layer& layer = m_layers[index];
+  const glm::vec3 position(layer.point.position), normal(layer.point.normal);
+  const Surface surface = m_scene.surface(m_found.hits[index]);
+  std::vector<Surface::Arrival> arrivals;
+  glm::vec3 integrated(0);
+  for (uint32_t l = 0; l < m_scene.lights(); ++l) {
+    if (m_sampling.integrated && m_lights.isArea(l)) {
+      const Surface::Response response = surface.response(position, normal);
+      const auto answer = m_lights.integrate(
+          l, layer.point,
+          [&](const glm::dvec3& toLight) {
+            return glm::dvec3(response.reflected(glm::vec3(toLight)));
+          },
+          m_sampling, m_scratch);
+      integrated += glm::vec3(answer.visible);
+      m_rays += answer.rays;
+    } else if (layer.asked[l]) {
+      const gpu::Illumination light = m_scene.illumination(l, layer.point);
+      arrivals.push_back({light.toLight, light.radiance * glm::vec3(layer.answers[l].visible)});
+    }
+  }
+  return surface.shade(position, normal, m_scene.scene().ambient, arrivals) + integrated;
+}
+
 glm::vec3 Sampler::color() {
   glm::vec3 color = m_scene.scene().background;
   if (!m_found.endsOpaque) color = m_media.through(m_layers.size(), color);
-  std::vector<Surface::Arrival> arrivals;
   for (size_t i = m_layers.size(); i-- > 0;) {
-    const Layer& layer = m_layers[i];
-    arrivals.clear();
-    for (uint32_t l = 0; l < m_scene.lights(); ++l) {
-      if (!layer.asked[l]) continue;
-      const gpu::Illumination light = m_scene.illumination(l, layer.point);
-      arrivals.push_back({light.toLight, light.radiance * glm::vec3(layer.visible[l])});
-    }
-    const Surface surface = m_scene.surface(m_found.hits[i]);
-    const glm::vec3 radiance =
-        surface.shade(glm::vec3(layer.point.position), glm::vec3(layer.point.normal),
-                      m_scene.scene().ambient, arrivals);
-    const bool opaque = m_found.endsOpaque && i + 1 == m_layers.size();
-    if (opaque) {
+    const glm::vec3 radiance = shade(i);
+    if (m_found.endsOpaque && i + 1 == m_layers.size()) {
       color = radiance;
     } else {
-      const gpu::OpticsData optics = surface.optics();
+      const gpu::OpticsData optics = m_scene.surface(m_found.hits[i]).optics();
       color = color * optics.behind + radiance * optics.alpha;
     }
     color = m_media.through(i, color);

@@ -1,21 +1,23 @@
 // One position of the picture after the other: the layers there, their visibility, their colour.
 #pragma once
 
+#include "suites/truth/light_visibility.h"
 #include "suites/truth/media_view.h"
 
 namespace sb {
 
 class Sampler {
  public:
-  explicit Sampler(const RayScene& scene) : m_scene(scene), m_media(scene) {}
+  Sampler(const RayScene& scene, const LightVisibility& lights)
+      : m_scene(scene), m_lights(lights), m_media(scene, lights) {}
 
   /// Finds the layers at a position, in pixels.
-  void find(double x, double y);
+  void find(double x, double y, const AreaSampling& sampling);
 
   struct Layer {
     Tracer::Point point;
-    std::vector<uint8_t> asked;       ///< per light: its radiance reaches the side that is seen
-    std::vector<glm::dvec3> visible;  ///< per light; 1 where it is not asked
+    std::vector<uint8_t> asked;  ///< per light: its radiance reaches the side that is seen
+    std::vector<LightVisibility::Answer> answers;  ///< per light; visible 1 where it is not asked
   };
   /// Front to back; the last one is opaque if endsOpaque().
   const std::vector<Layer>& layers() const { return m_layers; }
@@ -28,15 +30,21 @@ class Sampler {
   uint64_t rays() const { return m_rays + m_media.rays(); }
 
  private:
+  /// Radiance toward the eye from a layer.
+  glm::vec3 shade(size_t layer);
+
   const RayScene& m_scene;
+  const LightVisibility& m_lights;
   MediaView m_media;
   RayScene::CameraHits m_found;
   std::vector<Layer> m_layers;
-  std::vector<TruthHit> m_scratch;
+  LightVisibility::Scratch m_scratch;
+  AreaSampling m_sampling;
   uint64_t m_rays = 0;
 };
 
 /// Everything of a truth; the caller has entered the arena to work in.
-std::optional<Truth> traceTruth(const RayScene& scene, const TruthSettings& settings);
+std::optional<Truth> traceTruth(const RayScene& scene, const LightVisibility& lights,
+                                const TruthSettings& settings);
 
 }  // namespace sb

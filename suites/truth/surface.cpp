@@ -89,27 +89,40 @@ glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
   return glm::dot(n, geometric) < 0 ? -n : n;
 }
 
+glm::vec3 Surface::Response::reflected(const glm::vec3& toLight) const {
+  if (unlit) return glm::vec3(0);
+  return gpu::reflectedLight(base, metal, roughness, transmission, n, v, toLight);
+}
+
+Surface::Response Surface::response(const glm::vec3& position, const glm::vec3& normal) const {
+  const gpu::MaterialData& m = m_traits.data;
+  Response r{
+      .base = glm::vec3(baseColor()),
+      .metal = metallic(),
+      .roughness = m.surface.y,
+      .transmission = (m.flags.x & MATERIAL_TRANSMISSION) != 0 ? optics().transmission : 0.0f,
+      .n = shadingNormal(normal),
+      .v = glm::normalize(-position),
+      .unlit = (m.flags.x & MATERIAL_UNLIT) != 0};
+  if (has(TEXTURE_METALLIC_ROUGHNESS)) r.roughness *= float(sample(TEXTURE_METALLIC_ROUGHNESS).g);
+  return r;
+}
+
 glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
                          const glm::vec3& ambient, std::span<const Arrival> arrivals) const {
-  const glm::vec3 base(baseColor());
   const gpu::MaterialData& m = m_traits.data;
-  const float metal = metallic();
-  const float transmission =
-      (m.flags.x & MATERIAL_TRANSMISSION) != 0 ? optics().transmission : 0.0f;
-  const float share = gpu::shareReflected(metal, transmission);
-  if ((m.flags.x & MATERIAL_UNLIT) != 0) return base * share;
-  float roughness = m.surface.y, occlusion = 1;
-  if (has(TEXTURE_METALLIC_ROUGHNESS)) roughness *= float(sample(TEXTURE_METALLIC_ROUGHNESS).g);
+  const Response r = response(position, normal);
+  const float share = gpu::shareReflected(r.metal, r.transmission);
+  if (r.unlit) return r.base * share;
+  float occlusion = 1;
   if (has(TEXTURE_OCCLUSION))
     occlusion += m.surface.w * (float(sample(TEXTURE_OCCLUSION).r) - 1.0f);
   glm::vec3 emissive(m.emissiveCutoff);
   if (has(TEXTURE_EMISSIVE)) emissive *= glm::vec3(sample(TEXTURE_EMISSIVE));
 
-  const glm::vec3 n = shadingNormal(normal), v = glm::normalize(-position);
   glm::vec3 radiance =
-      emissive + gpu::ambientLight(ambient, m_scene.sky, n) * base * (occlusion * share);
-  for (const Arrival& a : arrivals)
-    radiance += gpu::reflectedLight(base, metal, roughness, transmission, n, v, a.toLight) * a.radiance;
+      emissive + gpu::ambientLight(ambient, m_scene.sky, r.n) * r.base * (occlusion * share);
+  for (const Arrival& a : arrivals) radiance += r.reflected(a.toLight) * a.radiance;
   return radiance;
 }
 

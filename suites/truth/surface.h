@@ -40,8 +40,18 @@ class Surface {
     glm::vec3 toLight;
     glm::vec3 radiance;  ///< occlusion included
   };
-  /// Radiance toward the eye, not yet weighted by coverage. `normal`: geometric, toward the viewer; `position` relative to the
-  /// eye.
+  /// How a surface reflects toward the eye.
+  struct Response {
+    glm::vec3 base;
+    float metal, roughness, transmission;
+    glm::vec3 n, v;
+    bool unlit;
+    /// Of radiance 1 from there, the cosine included.
+    glm::vec3 reflected(const glm::vec3& toLight) const;
+  };
+  /// `normal`: geometric, toward the viewer; `position` relative to the eye.
+  Response response(const glm::vec3& position, const glm::vec3& normal) const;
+  /// Radiance toward the eye, not yet weighted by coverage.
   glm::vec3 shade(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& ambient,
                   std::span<const Arrival> arrivals) const;
 

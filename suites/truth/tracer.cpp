@@ -5,7 +5,6 @@
 #include <tbb/task_arena.h>
 
 #include <chrono>
-#include <stdexcept>
 
 #include "suites/truth/ray_scene.h"
 #include "suites/truth/sampler.h"
@@ -15,18 +14,20 @@ namespace sb {
 using glm::dvec3;
 
 struct Tracer::Impl {
+  Impl(const Scene& scene, uint32_t width, uint32_t height, unsigned threads)
+      : rays(scene, width, height),
+        lights(rays),
+        arena(threads == 0 ? tbb::task_arena::automatic : int(threads)) {}
+
   RayScene rays;
+  LightVisibility lights;
   mutable tbb::task_arena arena;
   double buildSeconds = 0;
 };
 
 Tracer::Tracer(const Scene& scene, uint32_t width, uint32_t height, unsigned threads) {
-  if (const auto missing = notYetRepresented(scene); !missing.empty())
-    throw std::invalid_argument("the truth cannot show this scene yet: " + missing.front());
   const auto start = std::chrono::steady_clock::now();
-  m_impl.reset(new Impl{RayScene(scene, width, height),
-                        tbb::task_arena(threads == 0 ? tbb::task_arena::automatic : int(threads)),
-                        0});
+  m_impl = std::make_unique<Impl>(scene, width, height, threads);
   m_impl->buildSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -35,21 +36,21 @@ Tracer::~Tracer() = default;
 
 std::optional<Truth> Tracer::trace(const TruthSettings& settings) const {
   std::optional<Truth> truth;
-  m_impl->arena.execute([&] { truth = traceTruth(m_impl->rays, settings); });
+  m_impl->arena.execute([&] { truth = traceTruth(m_impl->rays, m_impl->lights, settings); });
   if (truth) truth->seconds += m_impl->buildSeconds;
   return truth;
 }
 
-std::vector<float> Tracer::image(uint64_t* rays) const {
+std::vector<float> Tracer::image(uint32_t raysPerLight, uint64_t* rays) const {
   const RayScene& scene = m_impl->rays;
   std::vector<float> image(size_t(scene.width()) * scene.height() * 4);
   std::atomic<uint64_t> count = 0;
   m_impl->arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<uint32_t>(0, scene.height()), [&](const auto& range) {
-      Sampler sampler(scene);
+      Sampler sampler(scene, m_impl->lights);
       for (uint32_t y = range.begin(); y < range.end(); ++y)
         for (uint32_t x = 0; x < scene.width(); ++x) {
-          sampler.find(x + 0.5, y + 0.5);
+          sampler.find(x + 0.5, y + 0.5, {.pattern = raysPerLight});
           const glm::vec3 color = sampler.color();
           float* out = image.data() + 4 * (size_t(y) * scene.width() + x);
           for (int c = 0; c < 3; ++c) out[c] = color[c];
@@ -62,7 +63,7 @@ std::vector<float> Tracer::image(uint64_t* rays) const {
   return image;
 }
 
-uint64_t Tracer::bytes() const { return m_impl->rays.bytes(); }
+uint64_t Tracer::bytes() const { return m_impl->rays.bytes() + m_impl->lights.bytes(); }
 
 std::optional<Tracer::Point> Tracer::pointAt(uint32_t x, uint32_t y, uint32_t layer) const {
   RayScene::CameraHits found;
@@ -73,9 +74,9 @@ std::optional<Tracer::Point> Tracer::pointAt(uint32_t x, uint32_t y, uint32_t la
   return m_impl->rays.point(x + 0.5, y + 0.5, found.hits[index]);
 }
 
-dvec3 Tracer::visibility(uint32_t light, const Point& point) const {
-  std::vector<TruthHit> scratch;
-  return m_impl->rays.visibility(light, point, scratch);
+dvec3 Tracer::visibility(uint32_t light, const Point& point, const AreaSampling& sampling) const {
+  LightVisibility::Scratch scratch;
+  return m_impl->lights.ask(light, point, sampling, scratch).visible;
 }
 
 namespace {
@@ -104,6 +105,9 @@ MapFrame mapFrame(const RayScene& rays, uint32_t light, const dvec3& position) {
   return frame;
 }
 
+/// How well visibility is known where only its range counts.
+constexpr AreaSampling kNear = {.first = 64, .most = 64};
+
 /// World half width of a lookup at a point.
 double halfWidth(const MapFrame& frame, const LookupReach& reach) {
   return reach.constant + reach.perDistance * frame.distance;
@@ -120,8 +124,11 @@ dvec3 Tracer::mapCoordinates(uint32_t light, const Point& point, const LookupRea
 Tracer::Range Tracer::visibilityNear(uint32_t light, const Point& point,
                                      const LookupReach& reach) const {
   const RayScene& rays = m_impl->rays;
-  std::vector<TruthHit> scratch;
-  const dvec3 centre = rays.visibility(light, point, scratch);
+  LightVisibility::Scratch scratch;
+  const auto visibility = [&](const Point& at, double ownNear) {
+    return m_impl->lights.ask(light, at, kNear, scratch, ownNear).visible;
+  };
+  const dvec3 centre = visibility(point, 0);
   Range range{centre, centre};
   const MapFrame frame = mapFrame(rays, light, point.position);
   const double width = halfWidth(frame, reach);
@@ -137,26 +144,18 @@ Tracer::Range Tracer::visibilityNear(uint32_t light, const Point& point,
     at.position += offset + toLight * std::min(std::max(along, -most), most);
     // Where the receiver's own surface bends away from its plane lies no shadow's edge: what is
     // dark in the plane alone, and lit on the surface, is not dark.
-    const dvec3 plane = rays.visibility(light, at, scratch, 4 * width);
+    const dvec3 plane = visibility(at, 4 * width);
     range.high = glm::max(range.high, plane);
     dvec3 low = plane;
     if (glm::any(glm::lessThan(plane, range.low)))
-      if (auto on = rays.ownSurfaceAlong(light, at, 4 * width + std::abs(along), scratch))
-        low = glm::max(low, rays.visibility(light, *on, scratch, 4 * width));
+      if (auto on = rays.ownSurfaceAlong(light, at, 4 * width + std::abs(along), scratch.hits))
+        low = glm::max(low, visibility(*on, 4 * width));
     range.low = glm::min(range.low, low);
   };
   for (int y = -2; y <= 2; ++y)
     for (int x = -2; x <= 2; ++x)
       if (x != 0 || y != 0) ask(x / 2.0, y / 2.0);
   return range;
-}
-
-std::vector<std::string> notYetRepresented(const Scene& scene) {
-  std::vector<std::string> missing;
-  for (const Light& light : scene.lights)
-    if (light.radius > 0)
-      missing.push_back("light '" + light.name + "' has a radius: area lights");
-  return missing;
 }
 
 }  // namespace sb

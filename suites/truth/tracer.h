@@ -13,8 +13,7 @@ namespace sb {
 
 class Tracer {
  public:
-  /// The scene must outlive the tracer. Throws std::runtime_error when Embree refuses, and
-  /// std::invalid_argument when the scene is notYetRepresented.
+  /// The scene must outlive the tracer. Throws std::runtime_error when Embree refuses.
   Tracer(const Scene& scene, uint32_t width, uint32_t height, unsigned threads = 0);
   ~Tracer();
 
@@ -22,8 +21,8 @@ class Tracer {
   std::optional<Truth> trace(const TruthSettings& settings) const;
 
   /// The picture alone, one ray a pixel and the shadow rays it needs: what ray tracing costs.
-  /// `rays` counts them if given.
-  std::vector<float> image(uint64_t* rays = nullptr) const;
+  /// `raysPerLight`: to lights with an extent, a power of two. `rays` counts them all if given.
+  std::vector<float> image(uint32_t raysPerLight = 1, uint64_t* rays = nullptr) const;
 
   /// Memory of triangles and tree.
   uint64_t bytes() const;
@@ -39,7 +38,8 @@ class Tracer {
   /// The surface at a pixel's centre in a layer (0..4); row 0 at the bottom.
   std::optional<Point> pointAt(uint32_t x, uint32_t y, uint32_t layer) const;
   /// RGB share of a light that arrives.
-  glm::dvec3 visibility(uint32_t light, const Point& point) const;
+  glm::dvec3 visibility(uint32_t light, const Point& point,
+                        const AreaSampling& sampling = {}) const;
   /// Coordinates of a point in a map of the light whose lookups reach `reach`, in units of that
   /// reach: two lookups overlap when both coordinates are nearer than 2. z: cube face, else 0.
   glm::dvec3 mapCoordinates(uint32_t light, const Point& point, const LookupReach& reach) const;

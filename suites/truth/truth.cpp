@@ -15,6 +15,9 @@ namespace {
 constexpr double kOffset = 0.35;       ///< of the four positions from the centre, pixels
 constexpr double kCosTurn = 0.8660254; ///< of 30 degrees: a geometric normal that turns more jumps
 constexpr double kJump = 1.0 / 64;     ///< of visibility
+/// In a penumbra: what changes by less within half a pixel is a slope, not an edge. Narrower
+/// penumbrae lie between positions that are exact.
+constexpr double kSteep = 0.25;
 constexpr int kDilate = 2;             ///< pixels
 
 /// Layer of the truth (0: first opaque) -> index into the sampler's layers, or none.
@@ -32,14 +35,17 @@ bool surfaceJumps(const Sampler::Layer& a, const Sampler::Layer& b) {
 template <class Asked>
 bool visibilityJumps(const Asked& a, const Asked& b, uint32_t light) {
   if (a.asked[light] != b.asked[light]) return true;
-  return glm::any(glm::greaterThan(glm::abs(a.visible[light] - b.visible[light]),
-                                   glm::dvec3(kJump)));
+  const LightVisibility::Answer &p = a.answers[light], &q = b.answers[light];
+  if (p.undefined != q.undefined) return true;
+  const double jump = p.sampled || q.sampled ? kSteep : kJump;
+  return glm::any(glm::greaterThan(glm::abs(p.visible - q.visible), glm::dvec3(jump)));
 }
 
 class Tracing {
  public:
-  Tracing(const RayScene& scene, const TruthSettings& settings)
-      : m_scene(scene), m_settings(settings) {
+  Tracing(const RayScene& scene, const LightVisibility& lights, const TruthSettings& settings)
+      : m_scene(scene), m_lights(lights), m_settings(settings), m_coarse(settings.sampling) {
+    m_coarse.most = m_coarse.first;
     const size_t pixels = size_t(scene.width()) * scene.height();
     const size_t images = size_t(scene.lights()) * kTruthLayers;
     m_truth.width = scene.width();
@@ -59,10 +65,11 @@ class Tracing {
   std::optional<Truth> run() {
     const auto start = std::chrono::steady_clock::now();
     tbb::parallel_for(tbb::blocked_range<uint32_t>(0, m_scene.height()), [&](const auto& range) {
-      Sampler centre(m_scene), beside(m_scene);
+      Sampler centre(m_scene, m_lights), beside(m_scene, m_lights);
       for (uint32_t y = range.begin(); y < range.end() && !interrupted(); ++y) {
-        for (uint32_t x = 0; x < m_scene.width(); ++x) tracePixel(x, y, centre, beside);
-        rowDone();
+        double worst = 0;
+        for (uint32_t x = 0; x < m_scene.width(); ++x) tracePixel(x, y, centre, beside, worst);
+        rowDone(worst);
       }
       m_rays += centre.rays() + beside.rays();
     });
@@ -83,16 +90,18 @@ class Tracing {
  private:
   bool interrupted() const { return m_settings.interrupted && m_settings.interrupted->load(); }
 
-  void rowDone() {
+  void rowDone(double worst) {
     const uint32_t done = ++m_rows;
+    const std::lock_guard lock(m_rowDone);
+    m_truth.standardError = std::max(m_truth.standardError, worst);
     if (!m_settings.progress) return;
-    const std::lock_guard lock(m_progress);
     m_settings.progress(double(done) / m_scene.height());
   }
 
-  void tracePixel(uint32_t x, uint32_t y, Sampler& centre, Sampler& beside) {
+  /// `worst`: largest standard error so far.
+  void tracePixel(uint32_t x, uint32_t y, Sampler& centre, Sampler& beside, double& worst) {
     const size_t pixel = size_t(y) * m_scene.width() + x;
-    centre.find(x + 0.5, y + 0.5);
+    centre.find(x + 0.5, y + 0.5, m_settings.sampling);
     const glm::vec3 color = centre.color();
     for (size_t c = 0; c < 3; ++c) m_truth.image[4 * pixel + c] = color[int(c)];
     m_truth.image[4 * pixel + 3] = 1;
@@ -102,9 +111,12 @@ class Tracing {
       const Sampler::Layer& found = centre.layers()[*index];
       m_truth.surfaces[layer][pixel] = found.point.translucent ? 2 : 1;
       for (uint32_t l = 0; l < m_scene.lights(); ++l) {
-        if (!found.asked[l]) continue;
+        const LightVisibility::Answer& answer = found.answers[l];
+        if (answer.undefined) m_depthEdges[pixel] = 1;
+        if (!found.asked[l] || answer.undefined) continue;
+        worst = std::max(worst, answer.error);
         float* out = m_truth.visibility[size_t(l) * kTruthLayers + layer].data() + 4 * pixel;
-        for (int c = 0; c < 3; ++c) out[c] = float(found.visible[l][c]);
+        for (int c = 0; c < 3; ++c) out[c] = float(answer.visible[c]);
         out[3] = 1;
         m_truth.reflected[size_t(l) * kTruthLayers + layer][pixel] = centre.reflected(*index, l);
       }
@@ -118,7 +130,7 @@ class Tracing {
     }
     for (int corner = 0; corner < 4; ++corner) {
       beside.find(x + 0.5 + (corner & 1 ? kOffset : -kOffset),
-                  y + 0.5 + (corner & 2 ? kOffset : -kOffset));
+                  y + 0.5 + (corner & 2 ? kOffset : -kOffset), m_coarse);
       compare(centre, beside, pixel);
     }
   }
@@ -156,19 +168,22 @@ class Tracing {
   }
 
   const RayScene& m_scene;
+  const LightVisibility& m_lights;
   const TruthSettings& m_settings;
+  AreaSampling m_coarse;  ///< beside the centres
   Truth m_truth;
   std::vector<uint8_t> m_depthEdges =
       std::vector<uint8_t>(size_t(m_scene.width()) * m_scene.height(), 0);
   std::atomic<uint64_t> m_rays = 0;
   std::atomic<uint32_t> m_rows = 0;
-  std::mutex m_progress;
+  std::mutex m_rowDone;
 };
 
 }  // namespace
 
-std::optional<Truth> traceTruth(const RayScene& scene, const TruthSettings& settings) {
-  return Tracing(scene, settings).run();
+std::optional<Truth> traceTruth(const RayScene& scene, const LightVisibility& lights,
+                                const TruthSettings& settings) {
+  return Tracing(scene, lights, settings).run();
 }
 
 }  // namespace sb

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/number.h"
+
 namespace sb {
 namespace {
 
@@ -158,9 +160,12 @@ fs::path truthCacheFolder() {
   return base / "shadowbench" / "truth";
 }
 
-std::string truthKey(const std::string& sceneHash, uint32_t width, uint32_t height) {
-  return sceneHash + "-" + std::to_string(width) + "x" + std::to_string(height) + "-v" +
-         std::to_string(kVersion);
+std::string truthKey(const std::string& sceneHash, uint32_t width, uint32_t height,
+                     const AreaSampling& sampling) {
+  return sceneHash + "-" + std::to_string(width) + "x" + std::to_string(height) + "-s" +
+         std::to_string(sampling.first) + "-" + std::to_string(sampling.most) + "-" +
+         base::numberText(sampling.error) + "-" + std::to_string(sampling.pattern) +
+         (sampling.integrated ? "e" : "") + "-v" + std::to_string(kVersion);
 }
 
 std::optional<Truth> readTruth(const fs::path& folder, const std::string& key) {

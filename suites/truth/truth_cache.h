@@ -13,9 +13,10 @@ namespace sb {
 /// $XDG_CACHE_HOME/shadowbench/truth, else ~/.cache/shadowbench/truth, else a folder under /tmp.
 std::filesystem::path truthCacheFolder();
 
-/// Name of a truth: `sceneHash` stands for geometry, materials, lights and camera; the tracer's
-/// version enters too.
-std::string truthKey(const std::string& sceneHash, uint32_t width, uint32_t height);
+/// Name of a truth: `sceneHash` stands for geometry, materials, lights and camera; how it is
+/// sampled and the tracer's version enter too.
+std::string truthKey(const std::string& sceneHash, uint32_t width, uint32_t height,
+                     const AreaSampling& sampling = {});
 
 std::optional<Truth> readTruth(const std::filesystem::path& folder, const std::string& key);
 /// Failure to write is no failure of the run: false, and nothing is left behind.

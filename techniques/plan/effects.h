@@ -20,7 +20,7 @@ enum class Effect : uint8_t {
   TexturedTransmission,  ///< translucent casters whose alpha or t varies over the surface
   TranslucentReceivers,  ///< translucent surfaces in the view receive shadows
   TranslucentOverlap,    ///< a translucent receiver lies in another translucent caster's shadow
-  AreaLights,            ///< a light with a radius
+  AreaLights,            ///< a light with an extent
   ParticipatingMedia,    ///< a medium in view or between a light and the view
   MultipleLights,        ///< more than one light touches the view
   LocalLights,           ///< point or spot lights touch the view

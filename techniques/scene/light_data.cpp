@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/scene/light_area.h"
+
 namespace sb {
 
 using glm::dmat3;
@@ -18,6 +20,21 @@ gpu::LightData lightData(const Light& light, uint32_t index, const dvec3& eye) {
   d.directionScale = glm::vec4(glm::vec3(glm::normalize(light.direction)), float(scale));
   d.colorOffset = glm::vec4(light.color * light.intensity, float(-cosOuter * scale));
   d.ids = {uint32_t(light.type), NO_SHADOW, 0, index};
+  static_assert(uint32_t(LightShape::Ellipsoid) == SHAPE_ELLIPSOID &&
+                uint32_t(LightShape::Rectangle) == SHAPE_RECTANGLE &&
+                uint32_t(LightShape::Disc) == SHAPE_DISC);
+  if (!isAreaLight(light)) return d;
+  if (light.type == LightType::Directional) {
+    const LightPatch patch = lightPatch(light, dvec3(0));
+    d.halfAxis0 = glm::vec4(glm::vec3(patch.u), 0);
+    d.halfAxis1 = glm::vec4(glm::vec3(patch.v), 0);
+    d.shape.x = SHAPE_DISC;
+  } else {
+    d.halfAxis0 = glm::vec4(glm::vec3(light.halfAxes[0]), 0);
+    d.halfAxis1 = glm::vec4(glm::vec3(light.halfAxes[1]), 0);
+    d.halfAxis2 = glm::vec4(glm::vec3(light.halfAxes[2]), 0);
+    d.shape.x = uint32_t(light.shape);
+  }
   return d;
 }
 

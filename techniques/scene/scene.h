@@ -102,6 +102,9 @@ struct Instance {
 
 enum class LightType : uint8_t { Directional, Point, Spot };
 
+/// What a point or spot light is made of (how receivers see it: techniques/scene/light_area.h).
+enum class LightShape : uint8_t { Point, Ellipsoid, Rectangle, Disc };
+
 struct Light {
   std::string name;
   LightType type = LightType::Directional;
@@ -112,9 +115,12 @@ struct Light {
   double range = 0;                ///< world units; 0: unlimited
   double innerCone = 0;            ///< radians, Spot
   double outerCone = 0.7853981633974483;
-  /// Angular radius in radians (Directional) or radius in world units (Point, Spot); 0: hard
-  /// shadows. extras.shadowbench {"radius": r}.
-  double radius = 0;
+  double angularRadius = 0;              ///< radians, Directional; 0: hard shadows
+  LightShape shape = LightShape::Point;  ///< Point, Spot; Point: hard shadows
+  /// Columns, perpendicular to one another, in world units: the shape's half axes. A sphere is an
+  /// ellipsoid of equal ones; rectangles and discs lie in the first two and their third is 0. A
+  /// spot light's flat shape faces along `direction`.
+  glm::dmat3 halfAxes = glm::dmat3(0);
   uint32_t key = 0;  ///< persistent, unique; part of every random number
 };
 

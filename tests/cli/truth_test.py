@@ -9,7 +9,7 @@ import struct
 import exr
 from program import FAST, Case, run, main
 
-# Area lights are not traced yet.
+# A triangle under a lamp with a radius.
 AREA_LIGHT = {
     "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
     "extensionsUsed": ["KHR_lights_punctual"],
@@ -179,24 +179,54 @@ class Truth(Case):
         os.truncate(file, os.path.getsize(file) // 2)
         self.assertNotIn("by an earlier run", self.ok(*arguments, env=cache).stdout)
 
+    def write(self, name, scene):
+        path = self.path(name)
+        with open(path, "w") as file:
+            json.dump(scene, file)
+        return path
+
+    def entries(self, *arguments):
+        """Aggregates of a run by name of technique and number of rays."""
+        results = self.path("r.json")
+        self.ok("--backend", "vulkan", *arguments, *FAST, "--json", results)
+        with open(results) as file:
+            return {(e["technique"], e["knobs"].get("rays")): e
+                    for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"}
+
     def test_what_it_cannot_show(self):
-        scene = self.path("area.gltf")
-        with open(scene, "w") as file:
-            json.dump(AREA_LIGHT, file)
+        fog = {**AREA_LIGHT, "nodes": AREA_LIGHT["nodes"] + [
+            {"extras": {"shadowbench": {"medium": {"extinction": [1, 1, 1]}}}}]}
+        fog["scenes"] = [{"nodes": [0, 1, 2]}]
+        scene = self.write("fog.gltf", fog)
         result = run("truth", "--scene", scene, "--size", "8x8", "-o", self.path("t"))
         self.assertEqual(result.returncode, 1)
-        self.assertIn("area lights", result.stderr)
+        self.assertIn("participating media", result.stderr)
         self.assertFalse(os.path.exists(self.path("t.png")))
-        results = self.path("r.json")
-        self.ok("--technique", "none,RayTraced", "--backend", "vulkan", "--scene", scene, *FAST,
-                "--json", results)
-        with open(results) as file:
-            entries = {e["technique"]: e for e in json.load(file)["benchmarks"]
-                       if e["run_type"] == "aggregate"}
-        self.assertIsNone(entries["none"]["image"])
-        self.assertIn("area lights", entries["none"]["image_why"])
-        self.assertEqual(entries["RayTraced"]["status"], "skipped")
-        self.assertIn("area lights", entries["RayTraced"]["reason"])
+        entries = self.entries("--technique", "none,RayTraced", "--scene", scene)
+        self.assertIsNone(entries["none", None]["image"])
+        self.assertIn("participating media", entries["none", None]["image_why"])
+        self.assertEqual(entries["RayTraced", "1"]["status"], "skipped")
+        self.assertIn("participating media", entries["RayTraced", "1"]["reason"])
+
+    def test_area_lights(self):
+        scene = self.write("area.gltf", AREA_LIGHT)
+        self.ok("truth", "--scene", scene, "--size", "8x8", "-o", self.path("t"))
+        entries = self.entries("--technique", "ShadowMap,RayTraced", "--set", "rays=1,4,256",
+                               "--scene", "penumbra")
+        maps = entries["ShadowMap", None]
+        self.assertIn("area-lights", maps["effects_unrepresented"])
+        self.assertGreater(maps["truth_stderr"], 0)
+        self.assertLess(maps["truth_stderr"], 5e-4)
+        self.assertIs(maps["below_truth"], False)
+        errors = [entries["RayTraced", n]["visibility"]["rmse"] for n in ("1", "4", "256")]
+        # One ray gives hard shadows, as maps do; more rays are a front of their own.
+        self.assertGreater(errors[0], 0.02)
+        self.assertLess(errors[1], 0.8 * errors[0])
+        self.assertLess(errors[2], 0.1 * errors[0])
+        self.assertIn("rays", self.ok("--help").stdout)
+        result = run("--technique", "RayTraced", "--scene", "penumbra", "--set", "rays=3", "--list")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("rays", result.stderr)
 
     def test_wrong_arguments(self):
         for arguments, text in ((("truth", "--scene", "layers", "--scene", "window"), "one"),

@@ -72,7 +72,13 @@ std::vector<std::pair<std::string, std::string>> builtFiles() {
   nlohmann::json smoke = triangleFile();
   smoke["nodes"][0]["extras"]["shadowbench"]["medium"] = {{"extinction", {1, 1, 1}}};
   smoke["scenes"][0]["extras"]["shadowbench"] = {{"ambient", {0, 0, 0}}, {"sky", {0, 0, 1}}};
+  nlohmann::json lamps = camerasAndLightsFile();
+  nlohmann::json& lights = lamps["extensions"]["KHR_lights_punctual"]["lights"];
+  lights[0]["extras"]["shadowbench"] = {{"radius", 0.1}};
+  lights[1]["extras"]["shadowbench"] = {{"shape", "ellipsoid"}, {"half_axes", {1, 2, 3}}};
+  lights[2]["extras"]["shadowbench"] = {{"shape", "rectangle"}, {"half_axes", {1, 2}}};
   return {{"triangle", triangleFile().dump()},
+          {"lamps", lamps.dump()},
           {"skin", skinnedFile().dump()},
           {"morph", morphedFile().dump()},
           {"animation", animatedFile().dump()},

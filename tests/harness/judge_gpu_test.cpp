@@ -73,6 +73,26 @@ GPU_TEST(JudgeCells, AnOpaqueShadowErrsAtItsEdgeAlone) {
   EXPECT_EQ(r.truthStderr, 0.0);
 }
 
+GPU_TEST(JudgeCells, WhatAMapCannotShowOfAnAreaLightIsItsError) {
+  Scene scene = floorScene();
+  addHorizontal(scene, 0, {0, 2, 0}, 1, 1);
+  const CellOptions options = small("ShadowMap", {{"size", "512"}, {"kernel", "1"}});
+  const report::Record hard = judged(cellDevice(device()), scene, options);
+  scene.lights[0].angularRadius = 0.2;  // penumbrae of 6 pixels to either side
+  const report::Record soft = judged(cellDevice(device()), scene, options);
+  ASSERT_TRUE(hard.visibility && soft.visibility);
+  EXPECT_LT(hard.visibility->interior.max, 1e-3);
+  EXPECT_GT(soft.visibility->interior.max, 0.3) << "penumbrae are no edges";
+  EXPECT_GT(soft.visibility->all.rmse, 5 * hard.visibility->all.rmse);
+  EXPECT_GT(*soft.truthStderr, 0);
+  EXPECT_LT(*soft.truthStderr, 5e-4);
+  // Not to be blamed on the lookup: what its texels hold is right.
+  EXPECT_LT(shareOf(soft, "resolution"), 0.5);
+  Cell cell(cellDevice(device()), scene, options);
+  const auto lacking = cell.renderer().plan().unrepresented;
+  EXPECT_EQ(std::ranges::count(lacking, Effect::AreaLights), 1);
+}
+
 GPU_TEST(JudgeCells, MissingShadowsAreLeaks) {
   Scene scene = floorScene();
   addHorizontal(scene, 0, {0.055f, 1, 0.03f}, 1, 1);

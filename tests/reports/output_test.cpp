@@ -10,6 +10,7 @@
 #include "reports/console.h"
 #include "reports/csv.h"
 #include "reports/json.h"
+#include "reports/record_view.h"
 #include "tests/reports/sample_run.h"
 
 namespace report {
@@ -56,6 +57,30 @@ std::vector<std::vector<std::string>> readCsv(const std::string& text) {
 TEST(Output, TableIsExact) {
   const std::string table = toTable(sampleRun());
   EXPECT_EQ(table, expected("table.txt", table));
+}
+
+TEST(Output, ErrorsBelowTheTruthAreMarked) {
+  report::Run run = sampleRun();
+  size_t marked = 0;
+  for (Record& r : run.records) {
+    EXPECT_FALSE(belowTruth(r)) << "the truth is exact";
+    if (!r.visibility) continue;
+    ++marked;
+    r.truthStderr = 0.34 * r.visibility->all.rmse;
+    EXPECT_TRUE(belowTruth(r));
+  }
+  EXPECT_GT(marked, 0u);
+  const std::string table = toTable(run);
+  EXPECT_NE(table.find(" ~0."), std::string::npos) << table;
+  EXPECT_NE(table.find("~: less than three standard errors"), std::string::npos);
+  EXPECT_EQ(toTable(sampleRun()).find("~"), std::string::npos);
+  for (const auto& entry : nlohmann::json::parse(toJson(run))["benchmarks"])
+    if (!entry["visibility"].is_null()) EXPECT_TRUE(entry["below_truth"].get<bool>());
+  const auto rows = readCsv(toCsv(run));
+  const auto column = std::ranges::find(rows[0], "below_truth") - rows[0].begin();
+  EXPECT_EQ(size_t(std::ranges::count(rows, "true",
+                                      [&](const auto& row) { return row[size_t(column)]; })),
+            marked);
 }
 
 TEST(Output, TableNeverSaysGpuOfASoftwareDevice) {

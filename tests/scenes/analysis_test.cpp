@@ -10,6 +10,7 @@
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/scenes.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -118,9 +119,30 @@ TEST_F(AnalysisTest, AreaLightsWidenShadows) {
   quad(matteMaterial("a", glm::vec3(1)), 6, 5, 0);
   EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 1u);
   EXPECT_FALSE(has(Effect::AreaLights));
-  m_scene.lights[0].radius = std::atan(0.4);  // 5 units down: 2 aside
+  m_scene.lights[0].angularRadius = std::atan(0.4);  // 5 units down: 2 aside
   EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 2u);
   EXPECT_TRUE(has(Effect::AreaLights));
+}
+
+TEST_F(AnalysisTest, LampsWithAnExtentReachAside) {
+  // A board beside the view and the lamp: no ray from the floor to its centre meets it.
+  Light& lamp = m_scene.lights[0];
+  lamp.type = LightType::Point;
+  lamp.position = {3.9, 6, 0};
+  quad(matteMaterial("a", glm::vec3(1)), 5.6, 6, 0);
+  EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 1u);
+  EXPECT_FALSE(has(Effect::AreaLights));
+  lamp.shape = LightShape::Rectangle;
+  lamp.halfAxes = glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 2, 0), glm::dvec3(0));
+  EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 2u);
+  EXPECT_TRUE(has(Effect::AreaLights));
+  // A sphere of radius 5.9 is seen as a disc that is several times as large from where it is near.
+  lamp.halfAxes = glm::dmat3(0);
+  makeSphere(lamp, 1);
+  EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 1u);
+  makeSphere(lamp, 5.9);
+  quad(matteMaterial("b", glm::vec3(1)), 25, 6, 0);
+  EXPECT_EQ(effects().lights[0].opaqueCasters.size(), 3u);
 }
 
 TEST_F(AnalysisTest, OverlapNeedsTwoPanesInLine) {
@@ -250,7 +272,7 @@ TEST(Describe, NamesWhatIsInAScene) {
   const std::string text = describeText(scene, e);
   for (const char* part : {"layers", "1 opaque, 0 perforated, 3 translucent", "Calls for",
                            "translucent-overlap", "may overlap as the light sees them",
-                           "Does not call for", "no light that touches the view has a radius"})
+                           "Does not call for", "no light that touches the view has an extent"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 

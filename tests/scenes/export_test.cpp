@@ -78,7 +78,9 @@ void expectEqual(const Scene& a, const Scene& b) {
     const Light &p = a.lights[i], &q = b.lights[i];
     EXPECT_TRUE(p.name == q.name && p.type == q.type && p.color == q.color);
     EXPECT_EQ(p.intensity, q.intensity);
-    EXPECT_EQ(p.radius, q.radius);
+    EXPECT_EQ(p.angularRadius, q.angularRadius);
+    EXPECT_EQ(p.shape, q.shape);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(glm::length(p.halfAxes[c] - q.halfAxes[c]), 0, 1e-12);
     EXPECT_NEAR(glm::length(p.direction - q.direction), 0, 1e-12);
     if (p.type == LightType::Directional) continue;
     EXPECT_EQ(p.position, q.position);
@@ -141,7 +143,21 @@ TEST_F(GltfExport, EverythingAMaterialAndALightCanHold) {
                           .range = 10,
                           .innerCone = 0.1,
                           .outerCone = 0.4,
-                          .radius = 0.2});
+                          .shape = LightShape::Ellipsoid,
+                          .halfAxes = glm::dmat3(0.2)});
+  scene.lights[0].angularRadius = 0.01;
+  const glm::dmat3 turned(glm::dvec3(0.6, 0.8, 0), glm::dvec3(-0.8, 0.6, 0), glm::dvec3(0, 0, 1));
+  const auto scaled = [&](const glm::dvec3& s) {
+    return glm::dmat3(s.x * turned[0], s.y * turned[1], s.z * turned[2]);
+  };
+  for (const auto& [shape, axes] : {std::pair(LightShape::Ellipsoid, glm::dvec3(3, 2, 1)),
+                                    std::pair(LightShape::Rectangle, glm::dvec3(2, 0.5, 0)),
+                                    std::pair(LightShape::Disc, glm::dvec3(1, 4, 0))})
+    scene.lights.push_back({.name = "lamp",
+                            .type = LightType::Point,
+                            .position = {-1, 5, 2},
+                            .shape = shape,
+                            .halfAxes = scaled(axes)});
   scene.media.push_back(
       {.name = "smoke", .kind = MediumKind::Smoke, .extinction = {1, 2, 3}, .seed = 77});
   scene.cameras.push_back(scene.cameras[0]);

@@ -173,6 +173,28 @@ TEST_F(GltfBroken, Extras) {
   gltf["materials"] = {{{"extras", {{"shadowbench", {{"t", {1, 2, 0}}}}}}}};
   expectError(gltf, {"materials[0].extras.shadowbench.t[1]", "2", "from 0"});
   gltf = triangleFile();
+  const auto expectLight = [&](const char* type, json extent, std::vector<std::string> words) {
+    gltf["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", type}, {"extras", {{"shadowbench", std::move(extent)}}}}};
+    gltf["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    words.insert(words.begin(), "lights[0].extras.shadowbench");
+    expectError(gltf, words);
+  };
+  expectLight("point", {{"shape", "cube"}}, {".shape", "cube", "disc"});
+  expectLight("point", {{"shape", 7}}, {".shape"});
+  expectLight("point", {{"shape", "disc"}}, {".half_axes", "missing", "disc"});
+  expectLight("point", {{"shape", "sphere"}}, {".radius", "missing"});
+  expectLight("point", {{"half_axes", {1, 2}}}, {".half_axes", "no property of a sphere"});
+  expectLight("point", {{"shape", "disc"}, {"radius", 1}, {"half_axes", {1, 2}}},
+              {".radius", "no property of a disc"});
+  expectLight("point", {{"shape", "ellipsoid"}, {"half_axes", {1, 2}}},
+              {".half_axes", "3 numbers"});
+  expectLight("point", {{"shape", "rectangle"}, {"half_axes", {1, 0}}}, {".half_axes[1]", "0"});
+  expectLight("point", {{"shape", "rectangle"}, {"half_axes", {-1, 1}}}, {".half_axes[0]", "-1"});
+  expectLight("point", {{"radius", -1}}, {".radius", "-1"});
+  expectLight("directional", {{"radius", 2}}, {".radius", "2", "1.5"});
+  expectLight("directional", {{"shape", "disc"}}, {"shape", "radius"});
+  gltf = triangleFile();
   gltf["nodes"][0]["extras"] = {{"shadowbench", {{"medium", {{"kind", "fog"}}}}}};
   expectError(gltf, {"nodes[0].extras.shadowbench.medium.kind", "fog", "smoke"});
 }

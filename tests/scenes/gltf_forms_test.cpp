@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "suites/scenes/gltf/image_codec.h"
+#include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
 #include "tests/scenes/gltf_files.h"
 
@@ -103,6 +104,54 @@ TEST_F(GltfForms, DegenerateTrianglesAreDroppedAndKeysStay) {
   EXPECT_TRUE(warns(scene, "2 triangles without area"));
 }
 
+TEST_F(GltfForms, LightsHaveShapes) {
+  json gltf = triangleFile();
+  gltf["extensionsUsed"] = {"KHR_lights_punctual"};
+  const auto shaped = [](const char* type, json extent) {
+    return json{{"type", type}, {"extras", {{"shadowbench", std::move(extent)}}}};
+  };
+  gltf["extensions"]["KHR_lights_punctual"]["lights"] = {
+      shaped("point", {{"shape", "ellipsoid"}, {"half_axes", {3, 2, 1}}}),
+      shaped("spot", {{"shape", "rectangle"}, {"half_axes", {2, 0.5}}}),
+      shaped("point", {{"shape", "disc"}, {"half_axes", {1, 4}}}),
+      shaped("point", {{"shape", "sphere"}, {"radius", 0.5}}),
+      shaped("directional", {{"radius", 0.1}}),
+      {{"type", "point"}}};
+  gltf["extensions"]["KHR_lights_punctual"]["lights"][1]["spot"] = json::object();
+  gltf["nodes"] = {{{"mesh", 0}}};
+  gltf["scenes"][0]["nodes"] = {0};
+  for (int i = 0; i < 6; ++i) {
+    // x to -z, scaled: an extent has no scale.
+    gltf["nodes"].push_back({{"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}},
+                             {"scale", {5, 5, 5}},
+                             {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+    gltf["scenes"][0]["nodes"].push_back(i + 1);
+  }
+  const Scene scene = load(gltf);
+  ASSERT_EQ(scene.lights.size(), 6u);
+  const auto expectAxes = [&](size_t light, const glm::dvec3& a, const glm::dvec3& b,
+                              const glm::dvec3& c) {
+    const glm::dmat3 expected(a, b, c), &found = scene.lights[light].halfAxes;
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(glm::length(found[i] - expected[i]), 0, 1e-12) << light << " " << i;
+  };
+  EXPECT_EQ(scene.lights[0].shape, LightShape::Ellipsoid);
+  expectAxes(0, {0, 0, -3}, {0, 2, 0}, {1, 0, 0});
+  EXPECT_EQ(scene.lights[1].shape, LightShape::Rectangle);
+  expectAxes(1, {0, 0, -2}, {0, 0.5, 0}, {0, 0, 0});
+  EXPECT_EQ(scene.lights[2].shape, LightShape::Disc);
+  expectAxes(2, {0, 0, -1}, {0, 4, 0}, {0, 0, 0});
+  EXPECT_TRUE(isSphere(scene.lights[3]));
+  EXPECT_EQ(scene.lights[3].halfAxes, glm::dmat3(0.5));
+  EXPECT_EQ(scene.lights[4].angularRadius, 0.1);
+  EXPECT_FALSE(isAreaLight(scene.lights[5]));
+  // A node without axes has none to give.
+  gltf["nodes"][3]["scale"] = {0, 0, 0};
+  const Scene hidden = load(gltf);
+  EXPECT_EQ(hidden.lights.size(), 5u);
+  EXPECT_TRUE(warns(hidden, "has no axes and is left out"));
+}
+
 TEST_F(GltfForms, LightsCamerasMediaAndExtras) {
   json gltf = triangleFile();
   gltf["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -135,7 +184,8 @@ TEST_F(GltfForms, LightsCamerasMediaAndExtras) {
   EXPECT_EQ(light.type, LightType::Spot);
   EXPECT_NEAR(glm::length(light.direction - glm::dvec3(0, -1, 0)), 0, 1e-12);
   EXPECT_EQ(light.position, glm::dvec3(0, 4, 0));
-  EXPECT_EQ(light.radius, 0.25);
+  EXPECT_TRUE(isSphere(light));
+  EXPECT_EQ(light.halfAxes, glm::dmat3(0.25));
   EXPECT_EQ(light.key, 0u);
   EXPECT_EQ(light.range, 9);
   EXPECT_NEAR(light.outerCone, 0.3, 1e-12);

@@ -9,6 +9,7 @@
 #include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/analysis/view_volume.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -56,6 +57,27 @@ TEST(Procedural, InfosAreComplete) {
                 scene.name);
     }
   }
+}
+
+TEST(Procedural, LampsStandWhereTheSunComesFrom) {
+  for (const std::string scene : {"teapot", "window"}) {
+    const glm::dvec3 along = makeScene(scene).lights[0].direction;
+    for (const std::string shape : {"ellipsoid", "rectangle", "disc", "sphere"}) {
+      const Light lamp = makeScene(scene + ":light=" + shape + ",lamp=2").lights[0];
+      EXPECT_EQ(lamp.type, LightType::Point);
+      EXPECT_EQ(isSphere(lamp), shape == "sphere");
+      EXPECT_NEAR(glm::length(lamp.halfAxes[0]), 2, 1e-12);
+      EXPECT_GT(lamp.intensity, 600) << "3.14 lux from 14 away and more";
+      EXPECT_NEAR(glm::length(lamp.direction - along), 0, 1e-12);
+      // Flat ones face what they light.
+      if (shape == "rectangle")
+        EXPECT_NEAR(glm::length(glm::cross(lamp.halfAxes[0], lamp.halfAxes[1]) + 2.0 * along), 0,
+                    1e-12);
+    }
+  }
+  EXPECT_EQ(makeScene("penumbra").lights[0].halfAxes, glm::dmat3(0.5));
+  EXPECT_FALSE(isAreaLight(makeScene("penumbra:size=0").lights[0]));
+  EXPECT_EQ(makeScene("penumbra:light=disc").lights[0].shape, LightShape::Disc);
 }
 
 TEST(Procedural, SameSpecSameScene) {

@@ -9,6 +9,7 @@
 #include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/procedural/procedural.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -30,7 +31,7 @@ TEST(Transform, ScalingKeepsThePicture) {
   spot.type = LightType::Spot;
   spot.position = {1, 2, 3};
   spot.range = 5;
-  spot.radius = 0.5;
+  makeSphere(spot, 0.5);
   spot.intensity = 7;
   scene.lights.push_back(spot);
   scene.media.push_back({.extinction = glm::vec3(8)});
@@ -39,7 +40,7 @@ TEST(Transform, ScalingKeepsThePicture) {
   const Light& s = scene.lights[1];
   EXPECT_EQ(s.position, glm::dvec3(4, 8, 12));
   EXPECT_EQ(s.range, 20);
-  EXPECT_EQ(s.radius, 2);
+  EXPECT_EQ(s.halfAxes, glm::dmat3(2));
   EXPECT_EQ(s.intensity, 112);  // candela over distance squared stays
   EXPECT_EQ(scene.lights[0].intensity, makeScene("teapot").lights[0].intensity);
   EXPECT_EQ(scene.media[0].extinction, glm::vec3(2));

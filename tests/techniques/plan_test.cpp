@@ -133,7 +133,7 @@ TEST(PlanOfPasses, WhatIsNotRepresentedIsListed) {
   EXPECT_TRUE(has(map, Effect::ColouredTransmission));
   EXPECT_TRUE(cssm2.plan.unrepresented.empty());
   Scene area = scene;
-  area.lights[0].radius = 0.01;
+  area.lights[0].angularRadius = 0.01;
   EXPECT_TRUE(has(record(area, "CSSM2"), Effect::AreaLights));
 }
 

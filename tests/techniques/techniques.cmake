@@ -37,6 +37,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/edge_mesh_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/light_area_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/light_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/media_plan_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/medium_test.cpp

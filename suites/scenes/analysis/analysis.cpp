@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "suites/scenes/analysis/parts.h"
+#include "techniques/scene/light_area.h"
 #include "techniques/scene/medium_data.h"
 #include "techniques/scene/mesh_shape.h"
 
@@ -93,10 +94,12 @@ void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
     const Light& source = a.scene.lights[light.light];
     ++touching;
     local += source.type != LightType::Directional;
-    area += source.radius > 0;
+    area += isAreaLight(source);
   }
-  notes.note(Effect::AreaLights, area > 0, counted(area, "light with a radius touches", "lights with a radius touch") + " the view",
-             "no light that touches the view has a radius");
+  notes.note(
+      Effect::AreaLights, area > 0,
+      counted(area, "light with an extent touches", "lights with an extent touch") + " the view",
+      "no light that touches the view has an extent");
   notes.note(Effect::MultipleLights, touching > 1, counted(touching, "light touches", "lights touch") + " the view",
              touching == 0 ? "no light touches the view" : "one light touches the view");
   notes.note(Effect::LocalLights, local > 0,

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
 
 namespace sb {
@@ -18,6 +19,10 @@ const char* className(MaterialClass c) {
 const char* typeName(LightType t) {
   constexpr const char* kNames[] = {"directional", "point", "spot"};
   return kNames[size_t(t)];
+}
+const char* shapeName(LightShape s) {
+  constexpr const char* kNames[] = {"point", "ellipsoid", "rectangle", "disc"};
+  return kNames[size_t(s)];
 }
 
 std::vector<double> triple(glm::dvec3 v) { return {v.x, v.y, v.z}; }
@@ -44,13 +49,20 @@ json lightJson(const Light& light, const LightEffects& effects) {
             {"type", typeName(light.type)},
             {"color", triple(light.color)},
             {"intensity", light.intensity},
-            {"radius", light.radius},
             {"touches_view", effects.touchesView},
             {"opaque_casters", effects.opaqueCasters.size()},
             {"perforated_casters", effects.perforatedCasters.size()},
             {"translucent_casters", effects.translucentCasters.size()}};
   if (light.type != LightType::Point) j["direction"] = triple(light.direction);
-  if (light.type == LightType::Directional) return j;
+  if (light.type == LightType::Directional) {
+    j["angular_radius"] = light.angularRadius;
+    return j;
+  }
+  if (isAreaLight(light)) {
+    j["shape"] = shapeName(light.shape);
+    j["half_axes"] = json::array();
+    for (int i = 0; i < 3; ++i) j["half_axes"].push_back(triple(light.halfAxes[i]));
+  }
   j["position"] = triple(light.position);
   j["range"] = light.range > 0 ? json(light.range) : json();
   return j;
@@ -68,15 +80,24 @@ json cameraJson(const Camera& camera) {
   return j;
 }
 
-std::string lightLine(const json& light) {
+/// ", ellipsoid of half axes 1, 1, 1"
+std::string extentText(const Light& light) {
+  if (!isAreaLight(light)) return "";
+  if (light.type == LightType::Directional)
+    return fmt::format(", angular radius {:.4g}", light.angularRadius);
+  std::string text = fmt::format(", {} of half axes", shapeName(light.shape));
+  const int axes = light.shape == LightShape::Ellipsoid ? 3 : 2;
+  for (int i = 0; i < axes; ++i)
+    text += fmt::format("{} {:.4g}", i == 0 ? "" : ",", glm::length(light.halfAxes[i]));
+  return text;
+}
+
+std::string lightLine(const json& light, const std::string& extent) {
   if (!light["touches_view"].get<bool>())
     return fmt::format("  {} ({}): does not touch the view\n", light["name"].get<std::string>(),
                        light["type"].get<std::string>());
   return fmt::format("  {} ({}{}): {} opaque, {} perforated, {} translucent casters\n",
-                     light["name"].get<std::string>(), light["type"].get<std::string>(),
-                     light["radius"].get<double>() > 0
-                         ? fmt::format(", radius {:.4g}", light["radius"].get<double>())
-                         : "",
+                     light["name"].get<std::string>(), light["type"].get<std::string>(), extent,
                      light["opaque_casters"].get<size_t>(),
                      light["perforated_casters"].get<size_t>(),
                      light["translucent_casters"].get<size_t>());
@@ -126,7 +147,8 @@ std::string describeText(const Scene& scene, const Effects& effects) {
     text += fmt::format("  {} {}{}\n", i, scene.cameras[i].name,
                         scene.cameras[i].orthographic ? " (orthographic)" : "");
   text += "\nLights\n";
-  for (const json& light : j["lights"]) text += lightLine(light);
+  for (size_t i = 0; i < scene.lights.size(); ++i)
+    text += lightLine(j["lights"][i], extentText(scene.lights[i]));
   for (const bool present : {true, false}) {
     text += present ? "\nCalls for\n" : "\nDoes not call for\n";
     for (const json& effect : j["effects"])

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/scene/light_area.h"
+
 namespace sb {
 namespace {
 
@@ -28,32 +30,42 @@ LightReach::LightReach(const Light& light, glm::dvec3 origin)
       m_dark(!(light.intensity > 0) ||
              std::max({light.color.r, light.color.g, light.color.b}) <= 0),
       m_cone(light.type == LightType::Spot),
+      m_solid(light.shape == LightShape::Ellipsoid),
       m_position(light.position - origin),
       m_direction(light.direction),
       m_range(light.range > 0 ? light.range : std::numeric_limits<double>::infinity()),
-      m_radius(m_directional ? 0 : light.radius),
+      m_radius(m_directional ? 0 : lightRadius(light)),
       m_outerCone(light.outerCone) {
   const glm::dvec3 z = light.direction;
   const glm::dvec3 other = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(other, z));
   m_toLight = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
-  if (m_directional) m_spread = std::tan(std::min(light.radius, 1.5));
+  if (m_directional) m_spread = std::tan(std::min(light.angularRadius, 1.5));
+}
+
+double LightReach::aside(const Bounds& receiver) const {
+  if (!m_solid) return m_radius;
+  const double d2 = squaredDistance(m_position, receiver), r2 = m_radius * m_radius;
+  return d2 > r2 ? m_radius * std::sqrt(d2 / (d2 - r2)) : std::numeric_limits<double>::infinity();
 }
 
 bool LightReach::mayLight(const Bounds& box) const {
   if (m_dark || box.empty()) return false;
-  if (m_directional) return true;
-  const double reach = m_range + m_radius;
+  return m_directional || mayPass(box, 0);
+}
+
+bool LightReach::mayPass(const Bounds& box, double slack) const {
+  const double reach = m_range + slack;
   if (squaredDistance(m_position, box) > reach * reach * (1 + 1e-6)) return false;
   if (!m_cone) return true;
   // What lies behind the apex gets nothing, however near (the sphere below may reach around it).
   const auto ahead = [&](int i) {
-    return glm::dot(box.corner(i) - m_position, m_direction) >= -m_radius - 1e-6 * box.radius();
+    return glm::dot(box.corner(i) - m_position, m_direction) >= -slack - 1e-6 * box.radius();
   };
   bool any = m_outerCone >= 1.5707963;
   for (int i = 0; i < 8; ++i) any |= ahead(i);
   return any && coneTouches(m_position, m_direction, m_outerCone, box.center(),
-                            box.radius() * (1 + 1e-6) + m_radius);
+                            box.radius() * (1 + 1e-6) + slack);
 }
 
 Bounds LightReach::toLightSpace(const Bounds& box) const {
@@ -73,10 +85,13 @@ bool LightReach::sweptTouches(const Bounds& caster, const Bounds& receiver, doub
 bool LightReach::mayShadow(const Bounds& caster, const Bounds& receiver) const {
   if (caster.empty() || receiver.empty()) return false;
   if (m_directional) return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
-  if (!mayLight(caster)) return false;
+  const double slack = aside(receiver);
+  if (m_dark) return false;
+  if (!std::isfinite(slack)) return true;  // within the light
+  if (!mayPass(caster, slack)) return false;
   // All rays in question lie in the box around light and receiver.
   Bounds between{m_position, m_position};
-  between.grow(m_radius);
+  between.grow(slack);
   between.add(receiver);
   between.grow(1e-6 * (between.radius() + glm::length(between.center())));
   return between.touches(caster);

@@ -22,11 +22,18 @@ class LightReach {
   bool directional() const { return m_directional; }
   /// Turns positions relative to the eye into the light's frame (directional lights).
   const glm::dmat3& frame() const { return m_toLight; }
-  /// How far the shadow's rim moves aside per unit of depth (directional lights with a radius).
+  /// How far the shadow's rim moves aside per unit of depth (directional lights with an angular
+  /// radius).
   double spread() const { return m_spread; }
 
  private:
-  bool m_directional, m_dark, m_cone;
+  /// How far from its centre the light may be aimed at from points of the box (LightPatch), of
+  /// point and spot lights.
+  double aside(const Bounds& receiver) const;
+  /// The same, where rays to the light may pass `slack` beside the rays to its centre.
+  bool mayPass(const Bounds& box, double slack) const;
+
+  bool m_directional, m_dark, m_cone, m_solid;
   glm::dmat3 m_toLight;  ///< directional: rows x, y across and z along the direction
   double m_spread = 0;
   glm::dvec3 m_position, m_direction;

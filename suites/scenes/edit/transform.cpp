@@ -81,7 +81,7 @@ void scaleScene(Scene& scene, double factor) {
     light.position *= factor;
     if (light.type == LightType::Directional) continue;  // its radius is an angle
     light.range *= factor;
-    light.radius *= factor;
+    light.halfAxes *= factor;
     light.intensity *= float(factor * factor);
   }
   for (Material& material : scene.materials) {

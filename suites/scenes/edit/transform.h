@@ -9,7 +9,7 @@ namespace sb {
 /// G1: moves everything - instances, lights, media, cameras - by `offset`.
 void translateScene(Scene& scene, glm::dvec3 offset);
 /// G2: scales the world about its origin by `factor` > 0: instances, cameras with near and far,
-/// lights with range and radius, media (extinction divided) and thicknesses. The intensity of point
+/// lights with range and shape, media (extinction divided) and thicknesses. The intensity of point
 /// and spot lights grows by factor^2, so that the picture stays; angles and lux stay.
 void scaleScene(Scene& scene, double factor);
 /// G3: permutes meshes, instances, triangles within meshes and lights, by `seed`. Keys stay with

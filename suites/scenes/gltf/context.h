@@ -55,8 +55,9 @@ TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int 
 // extras.shadowbench (EXTRAS.md): extras.cpp. `field` names the object that holds `extras`.
 void readMaterialExtras(const GltfContext& context, const std::string& field,
                         const tinygltf::Value& extras, Material& material);
-double readLightRadius(const GltfContext& context, const std::string& field,
-                       const tinygltf::Value& extras);
+/// Extent of a light whose type is known; `frame`: its axes in the world, columns.
+void readLightExtras(const GltfContext& context, const std::string& field,
+                     const tinygltf::Value& extras, const glm::dmat3& frame, Light& light);
 /// Appends a medium if the node's extras state one.
 void readMediumExtras(GltfContext& context, const std::string& field, const tinygltf::Value& extras,
                       const glm::dmat4& toWorld);

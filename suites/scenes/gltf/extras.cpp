@@ -2,7 +2,9 @@
 // them alone (described for users in EXTRAS.md):
 //   material  {"alpha": 0..1, "t": [r,g,b] 0..1}   opacity and transmission colour stated outright
 //   light     {"radius": r >= 0}                   world units (point, spot) or radians
-//   (directional) node      {"medium": {"kind": "homogeneous"|"smoke"|"grid",
+//   (directional)
+//             {"shape": "sphere"|"ellipsoid"|"rectangle"|"disc", "half_axes": [..] > 0}
+//   node      {"medium": {"kind": "homogeneous"|"smoke"|"grid",
 //              "extinction": [r,g,b] >= 0, "albedo": [r,g,b] 0..1, "anisotropy": -1..1,
 //              "seed": 0.., "time": 0.., "size": [x,y,z], "density": accessor}}
 //                                                  fills the node's unit cube [0,1]^3
@@ -13,6 +15,7 @@
 
 #include "suites/scenes/gltf/roots.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/light_area.h"
 #include "techniques/scene/medium_data.h"
 
 namespace sb {
@@ -39,8 +42,8 @@ double number(const GltfContext& context, const std::string& field, const Value&
   if (!(d >= low && d <= high)) {
     if (d > FLT_MAX)
       context.fail(field, "is " + shown(d) + ", expected a number that a 32-bit float can hold");
-    const std::string range = high < FLT_MAX ? "from " + shown(low) + " to " + shown(high)
-                                                  : "of at least " + shown(low);
+    const std::string range =
+        high < FLT_MAX ? "from " + shown(low) + " to " + shown(high) : "of at least " + shown(low);
     context.fail(field, (value.IsNumber() ? "is " + shown(d) : "is no number") +
                             ", expected a number " + range);
   }
@@ -97,6 +100,19 @@ void readGrid(const GltfContext& context, const std::string& path, const Value& 
                               ", expected a number of at least 0");
 }
 
+std::string word(const GltfContext& context, const std::string& field, const std::string& what,
+                 const Value& value, const std::vector<std::string>& known) {
+  const std::string name = value.IsString() ? value.Get<std::string>() : "";
+  if (std::ranges::find(known, name) == known.end())
+    context.fail(field, unknownName(what, name, known));
+  return name;
+}
+
+/// Directional lights fill less than the half of the sky before a receiver.
+constexpr double kHalfTurn = 1.5;
+/// World units: of what has a place in the world (EXTRAS.md), and what doubles can divide by.
+constexpr double kLongest = 1e18, kShortest = 1e-18;
+
 }  // namespace
 
 void readMaterialExtras(const GltfContext& context, const std::string& field, const Value& extras,
@@ -111,10 +127,43 @@ void readMaterialExtras(const GltfContext& context, const std::string& field, co
     material.overrideTransmission = triple(context, path + ".t", ours->Get("t"), 1);
 }
 
-double readLightRadius(const GltfContext& context, const std::string& field, const Value& extras) {
-  const Value* ours = shadowbench(context, field, extras, {"radius"});
-  if (!ours || !ours->Has("radius")) return 0;
-  return number(context, field + ".extras.shadowbench.radius", ours->Get("radius"), 0, FLT_MAX);
+void readLightExtras(const GltfContext& context, const std::string& field, const Value& extras,
+                     const glm::dmat3& frame, Light& light) {
+  const bool local = light.type != LightType::Directional;
+  const Value* ours = shadowbench(context, field, extras,
+                                  local ? std::vector<std::string>{"radius", "shape", "half_axes"}
+                                        : std::vector<std::string>{"radius"});
+  if (!ours) return;
+  const std::string path = field + ".extras.shadowbench";
+  const std::vector<std::string> shapes = {"sphere", "ellipsoid", "rectangle", "disc"};
+  std::string shape = "sphere";
+  if (ours->Has("shape"))
+    shape = word(context, path + ".shape", "shape", ours->Get("shape"), shapes);
+  const char* extent = shape == "sphere" ? "radius" : "half_axes";
+  for (const char* key : {"radius", "half_axes"})
+    if (ours->Has(key) != (key == std::string(extent)) && (ours->Has(key) || ours->Has("shape")))
+      context.fail(path + "." + key,
+                   ours->Has(key) ? "is no property of a " + shape : "is missing of a " + shape);
+  if (shape == "sphere") {
+    if (!ours->Has("radius")) return;
+    const double most = local ? kLongest : kHalfTurn;
+    const double radius = number(context, path + ".radius", ours->Get("radius"), 0, most);
+    if (local)
+      makeSphere(light, radius);
+    else
+      light.angularRadius = radius;
+    return;
+  }
+  const int axes = shape == "ellipsoid" ? 3 : 2;
+  const Value& lengths = ours->Get("half_axes");
+  if (!lengths.IsArray() || lengths.ArrayLen() != size_t(axes))
+    context.fail(path + ".half_axes", "expected an array of " + std::to_string(axes) + " numbers");
+  light.shape = shape == "ellipsoid"   ? LightShape::Ellipsoid
+                : shape == "rectangle" ? LightShape::Rectangle
+                                       : LightShape::Disc;
+  for (int i = 0; i < axes; ++i)
+    light.halfAxes[i] = frame[i] * number(context, fieldAt(path + ".half_axes", size_t(i)),
+                                          lengths.Get(size_t(i)), kShortest, kLongest);
 }
 
 void readMediumExtras(GltfContext& context, const std::string& field, const Value& extras,
@@ -127,13 +176,10 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
   Medium medium;
   medium.boxToWorld = toWorld;
   if (value.Has("kind")) {
-    const Value& kind = value.Get("kind");
-    const std::string name = kind.IsString() ? kind.Get<std::string>() : "";
     const std::vector<std::string> kinds = {"homogeneous", "smoke", "grid"};
-    const auto found = std::ranges::find(kinds, name);
-    if (found == kinds.end())
-      context.fail(path + ".kind", unknownName("kind of medium", name, kinds));
-    medium.kind = MediumKind(found - kinds.begin());
+    const std::string name =
+        word(context, path + ".kind", "kind of medium", value.Get("kind"), kinds);
+    medium.kind = MediumKind(std::ranges::find(kinds, name) - kinds.begin());
   }
   std::vector<std::string> known = {"kind", "extinction", "albedo", "anisotropy", "seed", "time"};
   if (medium.kind == MediumKind::Grid) known.insert(known.end(), {"size", "density"});
@@ -168,7 +214,8 @@ void readSceneExtras(GltfContext& context, const std::string& field, const Value
   const std::string path = field + ".extras.shadowbench";
   if (ours->Has("ambient"))
     context.scene.ambient = triple(context, path + ".ambient", ours->Get("ambient"), FLT_MAX);
-  if (ours->Has("sky")) context.scene.sky = triple(context, path + ".sky", ours->Get("sky"), FLT_MAX);
+  if (ours->Has("sky"))
+    context.scene.sky = triple(context, path + ".sky", ours->Get("sky"), FLT_MAX);
   if (ours->Has("background"))
     context.scene.background =
         triple(context, path + ".background", ours->Get("background"), FLT_MAX);

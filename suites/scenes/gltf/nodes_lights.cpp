@@ -4,6 +4,7 @@
 
 #include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/gltf/roots.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -60,7 +61,13 @@ void addLight(GltfContext& context, const std::string& node, const tinygltf::Val
                                                        ", expected less than outerConeAngle (" +
                                                        shown(light.outerCone) + ")");
   }
-  light.radius = readLightRadius(context, field, source.extras);
+  // A sphere is the same under any node; what has axes needs a frame.
+  const std::optional<glm::dmat4> frame = rigid(toWorld);
+  readLightExtras(context, field, source.extras, glm::dmat3(frame.value_or(glm::dmat4(1))), light);
+  if (!frame && light.shape != LightShape::Point && !isSphere(light)) {
+    context.warn(node + " has scale 0: its light '" + light.name + "' has no axes and is left out");
+    return;
+  }
   context.scene.lights.push_back(light);
 }
 

@@ -1,7 +1,31 @@
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/gltf/writer.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
+namespace {
+
+nlohmann::json extentJson(const Light& light) {
+  if (light.type == LightType::Directional) return {{"radius", light.angularRadius}};
+  if (isSphere(light)) return {{"radius", light.halfAxes[0][0]}};
+  nlohmann::json lengths = nlohmann::json::array();
+  for (int i = 0; i < (light.shape == LightShape::Ellipsoid ? 3 : 2); ++i)
+    lengths.push_back(glm::length(light.halfAxes[i]));
+  const char* shape = light.shape == LightShape::Ellipsoid   ? "ellipsoid"
+                      : light.shape == LightShape::Rectangle ? "rectangle"
+                                                             : "disc";
+  return {{"shape", shape}, {"half_axes", lengths}};
+}
+
+/// Lights shine along -z of their node; half axes lie along its axes.
+glm::dmat4 frameOf(const Light& light) {
+  const bool axes = light.type != LightType::Directional && light.shape != LightShape::Point;
+  if (!axes || isSphere(light)) return lookFrom(glm::dvec3(0), light.direction);
+  const glm::dvec3 x = glm::normalize(light.halfAxes[0]), y = glm::normalize(light.halfAxes[1]);
+  return glm::dmat4(glm::dmat3(x, y, glm::cross(x, y)));
+}
+
+}  // namespace
 
 void GltfWriter::addLights() {
   constexpr const char* kTypes[] = {"directional", "point", "spot"};
@@ -14,11 +38,10 @@ void GltfWriter::addLights() {
     if (light.range > 0 && light.type != LightType::Directional) j["range"] = light.range;
     if (light.type == LightType::Spot)
       j["spot"] = {{"innerConeAngle", light.innerCone}, {"outerConeAngle", light.outerCone}};
-    if (light.radius > 0) j["extras"]["shadowbench"]["radius"] = light.radius;
+    if (isAreaLight(light)) j["extras"]["shadowbench"] = extentJson(light);
     json& lights = m_gltf["extensions"]["KHR_lights_punctual"]["lights"];
     lights.push_back(std::move(j));
-    // Lights shine along -z of their node.
-    glm::dmat4 frame = lookFrom(glm::dvec3(0), light.direction);
+    glm::dmat4 frame = frameOf(light);
     frame[3] = glm::dvec4(light.position, 1);
     addNode({{"name", light.name},
              {"matrix", matrixJson(frame)},

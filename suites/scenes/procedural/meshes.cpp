@@ -2,6 +2,8 @@
 
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/procedural/scenes.h"
+#include "techniques/scene/light_area.h"
+#include "techniques/scene/light_data.h"
 
 namespace sb {
 
@@ -70,7 +72,7 @@ Light sunLight(glm::dvec3 direction, double angularRadius) {
   light.name = "sun";
   light.direction = glm::normalize(direction);
   light.intensity = 3.14159265f;
-  light.radius = angularRadius;
+  light.angularRadius = angularRadius;
   return light;
 }
 
@@ -98,6 +100,48 @@ SceneParam sunRadiusParam() {
           .low = 0,
           .high = 10,
           .help = "angular radius of the light; 0 casts hard shadows"};
+}
+
+std::vector<SceneParam> withLight(std::vector<SceneParam> params) {
+  params.push_back(sunRadiusParam());
+  params.push_back({.name = "light",
+                    .choices = {"sun", "ellipsoid", "rectangle", "disc", "sphere"},
+                    .help = "the sun, or a lamp of that shape"});
+  params.push_back({.name = "lamp",
+                    .unit = "world units",
+                    .fallback = 1,
+                    .low = 0.001,
+                    .high = 5,
+                    .help = "largest half axis of the lamp"});
+  return params;
+}
+
+Light chosenLight(const ParamValues& p, glm::dvec3 direction, glm::dvec3 target, double distance) {
+  const double choice = p.find("light")->second;
+  if (choice == 0) return sunLight(direction, glm::radians(p.find("sun")->second));
+  const glm::dvec3 along = glm::normalize(direction);
+  const double size = p.find("lamp")->second;
+  const bool sphere = choice == 4;
+  Light light = lampLight(target - distance * along, along,
+                          sphere ? LightShape::Point : LightShape(choice), size);
+  if (sphere) makeSphere(light, size);
+  light.intensity = float(3.14159265 * distance * distance);
+  return light;
+}
+
+Light lampLight(glm::dvec3 position, glm::dvec3 direction, LightShape shape, double size) {
+  Light light;
+  light.name = "lamp";
+  light.type = LightType::Point;
+  light.position = position;
+  light.direction = glm::normalize(direction);
+  light.shape = shape;
+  if (shape == LightShape::Point) return light;
+  const glm::dmat3 axes = glm::transpose(lightAxes(light.direction));
+  const glm::dvec3 lengths =
+      shape == LightShape::Ellipsoid ? glm::dvec3(1, 2.0 / 3, 1.0 / 3) : glm::dvec3(1, 0.5, 0);
+  for (int i = 0; i < 3; ++i) light.halfAxes[i] = axes[i] * (lengths[i] * size);
+  return light;
 }
 
 }  // namespace sb

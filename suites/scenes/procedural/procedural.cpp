@@ -16,8 +16,8 @@ namespace sb {
 namespace {
 
 const std::vector<ProceduralScene>& registry() {
-  static const std::vector<ProceduralScene> kScenes = {layers(), panes(),      spheresQuads(),
-                                                       teapot(), roseWindow(), fog()};
+  static const std::vector<ProceduralScene> kScenes = {
+      layers(), panes(), penumbra(), spheresQuads(), teapot(), roseWindow(), fog()};
   return kScenes;
 }
 

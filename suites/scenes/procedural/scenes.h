@@ -18,6 +18,7 @@ struct ProceduralScene {
 ProceduralScene spheresQuads();
 ProceduralScene layers();
 ProceduralScene panes();
+ProceduralScene penumbra();
 ProceduralScene roseWindow();
 ProceduralScene teapot();
 ProceduralScene fog();
@@ -38,5 +39,12 @@ Material matteMaterial(std::string name, glm::vec3 colour);
 Material paneMaterial(std::string name, glm::vec3 colour, float alpha);
 /// The parameter every scene with a directional light has.
 SceneParam sunRadiusParam();
+/// Adds those of a scene whose light may be a lamp: the sun's radius, the lamp's shape and size.
+std::vector<SceneParam> withLight(std::vector<SceneParam> params);
+/// The sun along `direction`, or a lamp that far before `target` that lights it as much.
+Light chosenLight(const ParamValues& p, glm::dvec3 direction, glm::dvec3 target, double distance);
+/// A lamp at a place that faces along `direction`: `shape` counts from LightShape::Point. Flat ones
+/// are 2 to 1, ellipsoids 3 to 2 to 1 of `size`, their largest half axis.
+Light lampLight(glm::dvec3 position, glm::dvec3 direction, LightShape shape, double size);
 
 }  // namespace sb

@@ -131,7 +131,7 @@ Scene make(const ParamValues& p) {
     const glm::dvec3 at(-4.2 + 0.6 * (i - 1), 2.2, 1.7 + 1.4 * (i - 1));
     addInstance(scene, names[i], panes[i], lookFrom(at, at - glm::dvec3(-1, 0, 0.25 * (i + 1))));
   }
-  scene.lights.push_back(sunLight({1, -0.75, -0.55}, glm::radians(p.find("sun")->second)));
+  scene.lights.push_back(chosenLight(p, {1, -0.75, -0.55}, {0, 1, 0}, 14));
 
   Camera camera;
   camera.name = "view";
@@ -146,16 +146,18 @@ Scene make(const ParamValues& p) {
 }  // namespace
 
 ProceduralScene teapot() {
-  return {{"teapot",
-           "the Utah teapot behind coloured panes",
-           {{.name = "segments",
-             .fallback = 10,
-             .low = 1,
-             .high = 100,
-             .whole = true,
-             .help = "tessellation: each of the 32 patches has 2 segments^2 triangles"},
-            {.name = "alpha", .fallback = 0.6, .low = 0, .high = 1, .help = "opacity of the panes"},
-            sunRadiusParam()}},
+  return {{"teapot", "the Utah teapot behind coloured panes",
+           withLight({{.name = "segments",
+                       .fallback = 10,
+                       .low = 1,
+                       .high = 100,
+                       .whole = true,
+                       .help = "tessellation: each of the 32 patches has 2 segments^2 triangles"},
+                      {.name = "alpha",
+                       .fallback = 0.6,
+                       .low = 0,
+                       .high = 1,
+                       .help = "opacity of the panes"}})},
           make};
 }
 

@@ -23,7 +23,7 @@ Scene make(const ParamValues& p) {
               lookFrom(hung, hung - glm::dvec3(-0.35, 0, 1)));
   addInstance(scene, "receiver", addMesh(scene, quadMesh("receiver", white, {4.0f, 4.0f})),
               lookFrom(wall, wall - glm::dvec3(-0.3, 0, 1)));
-  scene.lights.push_back(sunLight({1.2, -0.05, -1}, glm::radians(p.find("sun")->second)));
+  scene.lights.push_back(chosenLight(p, {1.2, -0.05, -1}, wall, 16));
 
   Camera camera;
   camera.name = "view";
@@ -40,14 +40,13 @@ Scene make(const ParamValues& p) {
 ProceduralScene roseWindow() {
   return {{"window",
            "white light through a rose window onto a white wall (Modisett 2023, section 5.3.2)",
-           {{.name = "resolution",
-             .unit = "texels",
-             .fallback = 1024,
-             .low = 1024,
-             .high = 4096,
-             .whole = true,
-             .help = "width and height of the window's texture"},
-            sunRadiusParam()}},
+           withLight({{.name = "resolution",
+                       .unit = "texels",
+                       .fallback = 1024,
+                       .low = 1024,
+                       .high = 4096,
+                       .whole = true,
+                       .help = "width and height of the window's texture"}})},
           make};
 }
 
