@@ -154,7 +154,8 @@ double areaInDisc(const std::vector<dvec2>& corners) {
 }
 
 TEST(TruthArea, AConvexPolygonIsClippedExactly) {
-  EXPECT_NEAR(areaInDisc({{-0.3, -0.4}, {0.9, -0.2}, {0.1, 1.2}}) / std::numbers::pi, 0.287040, 1e-6)
+  EXPECT_NEAR(areaInDisc({{-0.3, -0.4}, {0.9, -0.2}, {0.1, 1.2}}) / std::numbers::pi, 0.287040,
+              1e-6)
       << "spec 08";
   Pcg random(5);
   const auto u = [&] { return 2 * random.uniform() - 1; };
