@@ -128,6 +128,7 @@ GPU_TEST(Draws, ManyWithOneState) {
     const rhi::DrawIndexedArgs draws[] = {
         {.indexCount = 6, .firstInstance = 0},                     // cell 7
         {.indexCount = 6, .firstInstance = 1},                     // cell 6: joined with it
+        {.indexCount = 6, .firstInstance = 4},                     // cell 3: not the next
         {.indexCount = 6, .vertexOffset = 4, .firstInstance = 2},  // another mesh
         {.indexCount = 6, .firstInstance = 5},                     // cell 2
         {.indexCount = 6, .vertexOffset = 4, .firstInstance = 5},  // over it
@@ -137,9 +138,9 @@ GPU_TEST(Draws, ManyWithOneState) {
     counters = list.counters();
   });
   EXPECT_EQ(readTexels<uint32_t>(device(), target),
-            (Row{1, 0, 0, 0, 11, 12, 0, 0, 0, 0, 11, 12, 1, 2, 1, 2}));
-  EXPECT_EQ(counters.draws, 6u);
-  EXPECT_EQ(counters.triangles, 11u);
+            (Row{1, 0, 0, 0, 11, 12, 1, 2, 0, 0, 11, 12, 1, 2, 1, 2}));
+  EXPECT_EQ(counters.draws, 7u);
+  EXPECT_EQ(counters.triangles, 13u);
 }
 
 GPU_TEST(Draws, EveryVertexFormat) {
