@@ -27,7 +27,7 @@ void MediaView::find(double x, double y, const RayScene::CameraHits& found,
   m_sampling = sampling.pattern > 0 ? sampling : kAlongRay;
   if (m_scene.media().empty()) return;
   m_point.asked.assign(m_scene.lights(), 0);
-  m_point.visible.assign(m_scene.lights(), glm::dvec3(1));
+  m_point.answers.assign(m_scene.lights(), {});
   const MediaField::Stretch stretch =
       m_scene.cameraStretch(x, y, 0, found.endsOpaque ? found.hits.back().t : kInfinity);
   const auto first = m_scene.media().firstInterval(stretch);
@@ -36,9 +36,8 @@ void MediaView::find(double x, double y, const RayScene::CameraHits& found,
   for (uint32_t l = 0; l < m_scene.lights(); ++l) {
     if (m_scene.illumination(l, at).radiance == glm::vec3(0)) continue;
     m_point.asked[l] = 1;
-    const auto answer = m_lights.ask(l, at, sampling, m_scratch);
-    m_point.visible[l] = answer.visible;
-    m_rays += answer.rays;
+    m_point.answers[l] = m_lights.ask(l, at, sampling, m_scratch);
+    m_rays += m_point.answers[l].rays;
   }
 }
 

@@ -17,8 +17,8 @@ class MediaView {
   /// within boxes (those that overlap or touch are one), from the eye to the first opaque surface.
   /// It depends on boxes and depth alone, so that techniques find it too.
   struct Point {
-    std::vector<uint8_t> asked;       ///< per light: its radiance reaches the point
-    std::vector<glm::dvec3> visible;  ///< per light; 1 where it is not asked
+    std::vector<uint8_t> asked;                    ///< per light: its radiance reaches the point
+    std::vector<LightVisibility::Answer> answers;  ///< per light; 1 where it is not asked
   };
   /// Of scenes with media: nothing is asked where the ray meets none.
   const Point& point() const { return m_point; }

@@ -123,9 +123,11 @@ class Tracing {
     }
     for (uint32_t l = 0; l < m_truth.mediaVisibility.size(); ++l) {
       const MediaView::Point& point = centre.media().point();
-      if (!point.asked[l]) continue;
+      const LightVisibility::Answer& answer = point.answers[l];
+      if (!point.asked[l] || answer.undefined) continue;
+      worst = std::max(worst, answer.error);
       float* out = m_truth.mediaVisibility[l].data() + 4 * pixel;
-      for (int c = 0; c < 3; ++c) out[c] = float(point.visible[l][c]);
+      for (int c = 0; c < 3; ++c) out[c] = float(answer.visible[c]);
       out[3] = 1;
     }
     for (int corner = 0; corner < 4; ++corner) {
