@@ -111,7 +111,8 @@ std::vector<CompileJob> collect(const fs::path& root, const fs::path& include) {
   for (const fs::path& file : own.files)
     addJobs(root, file, true, own.plugins, included.plugins, jobs);
   for (const fs::path& file : included.files)
-    addJobs(include, file, false, own.plugins, included.plugins, jobs);
+    if (std::ranges::find(own.files, file) == own.files.end())
+      addJobs(include, file, false, own.plugins, included.plugins, jobs);
   std::ranges::sort(jobs, {}, &CompileJob::name);
   return jobs;
 }

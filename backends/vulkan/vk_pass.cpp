@@ -159,6 +159,9 @@ VkRenderingAttachmentInfo CommandList::depthAttachment(const rhi::DepthAttachmen
 void CommandList::beginRendering(const rhi::PassDesc& desc) {
   std::array<VkRenderingAttachmentInfo, rhi::kMaxColorAttachments> colors;
   assert(desc.colors.size() <= colors.size());
+  assert(!desc.depth || !desc.depth->readOnly || desc.depth->load != rhi::LoadOp::Clear);
+  assert(!desc.depth || !desc.depth->stencilReadOnly ||
+         desc.depth->stencilLoad != rhi::LoadOp::Clear);
   m_extent = desc.extent;
   uint32_t layers = 1;
   auto measure = [&](const rhi::TextureView& view) {

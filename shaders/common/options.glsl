@@ -1,5 +1,5 @@
 // Branches that exist only when the scene calls for them (specialization constants 0..15; a shadow
-// technique's own are 16..31, a transparency technique's 32..47).
+// technique's own are 16..31, a transparency technique's 32..47, a light technique's 48..63).
 layout(constant_id = 0) const bool kTextured = false;       // any material has a texture
 layout(constant_id = 1) const bool kNormalMaps = false;     // a visible material has a normal map
 layout(constant_id = 2) const bool kMasked = false;         // this pipeline discards by alpha mask

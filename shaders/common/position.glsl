@@ -1,5 +1,6 @@
 // Where a surface is, from the depth that the camera sees at a pixel. After common/scene.glsl.
-// Off by a step of the depth's float and rounding of 4 x 2^-24 of the distance (spec 17, N4).
+// Off by a step of the depth's float and by rounding of 4 x 2^-24 of the distance (spec 17, N4), and
+// by what the rasteriser rounds of the depth that it interpolates.
 
 // Along the camera's axis, in world units.
 float distanceOfDepth(float depth) {

@@ -55,7 +55,8 @@ std::string cellCommand(const CellId& id, uint32_t seeds) {
   std::string command = "./bench --technique " + id.technique;
   if (id.transparency != kDefaultTransparency) command += "+" + id.transparency;
   command += " --backend " + id.backend + " --scene " + base::shellWord(id.scene);
-  for (const auto& [name, value] : id.knobs) command += " --set " + base::shellWord(name + "=" + value);
+  for (const auto& [name, value] : id.knobs)
+    command += " --set " + base::shellWord(name + "=" + value);
   if (seeds != kDefaultSeeds && !isReference(id) && shadowTechnique(id.technique).info.stochastic)
     command += " --seeds " + std::to_string(seeds);
   if (id.seed != 0) command += " --seed " + std::to_string(id.seed);

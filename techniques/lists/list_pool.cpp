@@ -13,7 +13,7 @@ constexpr uint32_t kEndOfList = 0xFFFFFFFFu;
 ListPool::ListPool(rhi::Device& device, uint64_t lists, uint32_t nodeWords, uint64_t wanted)
     : m_device(&device), m_headBytes(lists * 4) {
   const uint64_t nodeBytes = uint64_t(nodeWords) * 4;
-  m_capacity = std::min(wanted, device.info().limits.maxStorageRange / nodeBytes);
+  m_capacity = std::min(std::max<uint64_t>(1, wanted), device.info().limits.maxStorageRange / nodeBytes);
   auto buffer = [&](const char* label, uint64_t size) {
     return device.createBuffer({.label = label,
                                 .size = size,

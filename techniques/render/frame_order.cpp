@@ -1,5 +1,7 @@
 #include "techniques/render/frame_order.h"
 
+#include <cassert>
+
 namespace sb {
 
 void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws& draws, Maps maps) {
@@ -17,6 +19,7 @@ void recordInOrder(Frame& frame, ShadowTechnique* technique, const SurfaceDraws&
 void recordLayer(Frame& frame, ShadowTechnique* technique, const ReceiverLayer& layer,
                  const LayerDraws& draws) {
   if (technique) {
+    assert(technique->parts().empty() && "maps that change between surfaces answer no layer");
     draws.depth();
     technique->recordReceivers(frame, layer);
   }

@@ -22,7 +22,7 @@ struct RendererDesc {
   const ShadowEntry* technique = nullptr;
   const TransparencyEntry* transparency = nullptr;
   const LightsEntry* lights = nullptr;  ///< null: AllLights
-  Knobs knobs;                          ///< of all three together
+  Knobs knobs;                          ///< of the first two together: no loop over lights has any yet
   rhi::Extent2D size;
   uint32_t seed = 0;
   EffectSet forced;  ///< tests only, see makePlan

@@ -50,7 +50,7 @@ struct TechniqueInfo {
   /// recordReceivers is called for each layer that is shaded.
   bool receiversByLayer = false;
   /// Transparency techniques that shade layer by layer, each with its depth known beforehand
-  /// (CameraPass::layerPass). With others, translucent surfaces show no shadow of a technique that
+  /// (CameraPass::recordLayer). With others, translucent surfaces show no shadow of a technique that
   /// answers by layers: Effect::TranslucentReceivers is unrepresented.
   bool handsOutLayers = false;
 };

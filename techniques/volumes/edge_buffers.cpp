@@ -1,7 +1,5 @@
 #include "techniques/volumes/edge_buffers.h"
 
-#include <algorithm>
-
 namespace sb {
 
 EdgeBuffers::EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeSlots& slots,
@@ -21,7 +19,7 @@ EdgeBuffers::EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeS
   }
   const auto bytes = std::as_bytes(std::span(all));
   m_edges = device.createBuffer({.label = "mesh edges",
-                                 .size = std::max<uint64_t>(16, bytes.size()),
+                                 .size = bytes.size() + 16,  // the last mesh may have no edge
                                  .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
   device.upload(m_edges, 0, bytes);
   const rhi::Limits& limits = device.info().limits;

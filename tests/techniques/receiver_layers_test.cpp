@@ -99,9 +99,11 @@ GPU_TEST(ReceiverLayers, PositionsFromDepthHoldAtAnyDistance) {
   size_t receivers = 0;
   EXPECT_LE(worstPosition(device(), deepScene(), {96, 64}, receivers), 8);
   EXPECT_GT(receivers, 2000u);
+  receivers = 0;
   Scene parallel = floorScene();
   addHorizontal(parallel, add(parallel, glass(0.5f, glm::vec3(1))), {1, 0.25f, 0}, 1, 2);
   EXPECT_LE(worstPosition(device(), parallel, {40, 40}, receivers), 2);
+  EXPECT_GT(receivers, 1000u);
 }
 
 GPU_TEST(ReceiverLayers, EachLayerOfThePictureIsAskedForByItself) {

@@ -56,12 +56,11 @@ void noteCasters(const Analysis& a, const Effects& effects, Notes& notes) {
              counted(coloured, "translucent caster lets", "translucent casters let") +
                  " colours through unequally",
              "no translucent caster has a transmission colour");
-  notes.note(
-      Effect::TexturedTransmission, textured > 0,
-      counted(textured, "translucent caster varies over its surface",
-              "translucent casters vary over their surface") +
-          " (texture or colours)",
-      "no translucent caster varies over its surface");
+  notes.note(Effect::TexturedTransmission, textured > 0,
+             counted(textured, "translucent caster varies over its surface",
+                     "translucent casters vary over their surface") +
+                 " (texture or colours)",
+             "no translucent caster varies over its surface");
 }
 
 void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
@@ -100,12 +99,13 @@ void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
       Effect::AreaLights, area > 0,
       counted(area, "light with an extent touches", "lights with an extent touch") + " the view",
       "no light that touches the view has an extent");
-  notes.note(Effect::MultipleLights, touching > 1, counted(touching, "light touches", "lights touch") + " the view",
+  notes.note(Effect::MultipleLights, touching > 1,
+             counted(touching, "light touches", "lights touch") + " the view",
              touching == 0 ? "no light touches the view" : "one light touches the view");
-  notes.note(Effect::LocalLights, local > 0,
-             counted(local, "point or spot light touches", "point or spot lights touch") +
-                 " the view",
-             "no point or spot light touches the view");
+  notes.note(
+      Effect::LocalLights, local > 0,
+      counted(local, "point or spot light touches", "point or spot lights touch") + " the view",
+      "no point or spot light touches the view");
 }
 
 void noteMedia(const Analysis& a, const Effects& effects, Notes& notes) {

@@ -194,7 +194,7 @@ void readMediumExtras(GltfContext& context, const std::string& field, const Valu
     medium.anisotropy =
         float(number(context, path + ".anisotropy", value.Get("anisotropy"), -1, 1));
   if (value.Has("seed"))
-    medium.seed = uint32_t(number(context, path + ".seed", value.Get("seed"), 0, 4294967295.0));
+    medium.seed = uint32_t(whole(context, path + ".seed", value.Get("seed"), 0, 4294967295.0));
   if (value.Has("time"))
     medium.time = number(context, path + ".time", value.Get("time"), 0, kLongestTime);
   if (medium.kind == MediumKind::Grid) readGrid(context, path, value, medium);

@@ -63,11 +63,10 @@ class DepthPeeling final : public TransparencyTechnique {
  private:
   void createPipelines(const Context& context, CameraPass& camera) {
     std::string folder = m_coloured ? "depth_peeling/coloured" : "depth_peeling";
-    if (!context.view.gpu().coplanar().empty()) folder += "/coplanar";
+    if (camera.coplanar()) folder += "/coplanar";
     rhi::GraphicsPipelineDesc peel = camera.translucentPipeline(folder);
     if (m_coloured) peel.targets.push_back({.format = CameraPass::kColorFormat});
-    peel.depth = {.test = true, .write = true, .compare = CameraPass::kNearerOrEqual};
-    peel.depth.write = !camera.byLayer();
+    peel.depth = {.test = true, .write = !camera.byLayer(), .compare = CameraPass::kNearerOrEqual};
     m_peel = forEachLayer(context, peel);
     if (camera.byLayer()) {
       rhi::GraphicsPipelineDesc depth = camera.unshadedPipeline(
