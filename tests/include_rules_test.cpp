@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>> kAllowed = {
     {"techniques/partition",
      {"techniques/scene", "techniques/plan", "techniques/draw", "techniques/render",
       "techniques/maps", "backends/rhi", "shaders/common/shared_"}},
-    {"techniques/lists", {"backends/rhi"}},
+    {"techniques/lists", {"backends/rhi", "shaders/common/shared_"}},
     {"techniques/volumes",
      {"techniques/scene", "techniques/plan", "techniques/draw", "techniques/render", "backends/rhi",
       "shaders/common/shared_"}},

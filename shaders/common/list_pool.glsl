@@ -1,6 +1,6 @@
 // Lists in a pool of nodes (techniques/lists/list_pool.h). Defined before: LIST_STORAGE, the first of
 // its three storage slots; uint nodeWords(), words of a node; LIST_BUILDS where lists are filled.
-#define END_OF_LIST 0xFFFFFFFFu
+#include "common/shared_lists.h"
 #ifdef LIST_BUILDS
 #define LIST_ACCESS
 #else
@@ -17,10 +17,10 @@ uint listCapacity() { return uint(nodes.length()) / nodeWords(); }
 layout(binding = SLOT_STORAGE(LIST_STORAGE + 2), std430) buffer CounterBlock { uint asked; };
 
 // END_OF_LIST: the pool is full. Beyond it the counter goes on, so that what was dropped is known.
+// Not for helper invocations, whose atomics give anything.
 uint claimNode() {
   uint node = atomicAdd(asked, 1u);
-  // The first test keeps indices from wrapping around.
-  return node >= listCapacity() || gl_HelperInvocation ? END_OF_LIST : node;
+  return node >= listCapacity() ? END_OF_LIST : node;
 }
 
 // Puts a node at the head of a list; what stood there follows it.

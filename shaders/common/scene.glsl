@@ -1,6 +1,6 @@
 // The scene as shaders see it: bindings common to every pass. Lights and their views stand in uniform
-// blocks as long as the scene's lists (each pipeline is made for its scene), so that the one light of
-// most scenes is read from fixed places; lists too long for a uniform block are read from storage.
+// blocks of one or a power of four elements (each pipeline is made for such a length), so that the one
+// light of most scenes is read from fixed places; lists too long for a block are read from storage.
 #include "common/shared_slots.h"
 #include "common/shared_types.h"
 layout(constant_id = 5) const uint kLights = 1u;              // at least 1

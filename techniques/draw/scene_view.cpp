@@ -41,6 +41,14 @@ rhi::Buffer makeStorage(rhi::Device& device, const char* label, uint64_t bytes,
 /// Lists of lights are read from uniform blocks where they fit, else from storage.
 constexpr rhi::BufferUse kListUse = rhi::BufferUse::Uniform | rhi::BufferUse::Storage;
 
+/// Elements of a block that holds `count`: one, or a power of four, so that few pipelines serve all
+/// scenes.
+uint32_t blockLength(size_t count) {
+  uint32_t length = 1;
+  while (length < count) length *= 4;
+  return length;
+}
+
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& data) {
   return std::as_bytes(std::span(data));
@@ -187,11 +195,10 @@ void SceneView::writeInstances(const Write& write) const {
 }
 
 uint32_t SceneView::lightCount() const {
-  const auto touching = std::ranges::count_if(m_effects.lights, &LightEffects::touchesView);
-  return std::max(1u, uint32_t(touching));
+  return blockLength(size_t(std::ranges::count_if(m_effects.lights, &LightEffects::touchesView)));
 }
 
-uint32_t SceneView::viewCount() const { return std::max(1u, uint32_t(m_united.size())); }
+uint32_t SceneView::viewCount() const { return blockLength(m_united.size()); }
 
 bool SceneView::lightsInStorage() const {
   return lightCount() * sizeof(gpu::LightData) > m_mostUniform ||

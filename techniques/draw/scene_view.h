@@ -75,6 +75,7 @@ class SceneView {
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
   void createBuffers(rhi::Device& device);
+  /// Lights and views that there is room for.
   uint32_t lightCount() const;
   uint32_t viewCount() const;
   bool lightsInStorage() const;

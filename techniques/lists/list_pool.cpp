@@ -3,22 +3,20 @@
 #include <algorithm>
 #include <cstring>
 
+#include "shaders/common/shared_lists.h"
+
 namespace sb {
-namespace {
-
-constexpr uint32_t kEndOfList = 0xFFFFFFFFu;
-
-}  // namespace
 
 ListPool::ListPool(rhi::Device& device, uint64_t lists, uint32_t nodeWords, uint64_t wanted)
     : m_device(&device), m_headBytes(lists * 4) {
   const uint64_t nodeBytes = uint64_t(nodeWords) * 4;
-  m_capacity = std::min(std::max<uint64_t>(1, wanted), device.info().limits.maxStorageRange / nodeBytes);
+  m_capacity =
+      std::min(std::max<uint64_t>(1, wanted), device.info().limits.maxStorageRange / nodeBytes);
   auto buffer = [&](const char* label, uint64_t size) {
-    return device.createBuffer({.label = label,
-                                .size = size,
-                                .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget |
-                                       rhi::BufferUse::CopySource});
+    return device.createBuffer(
+        {.label = label,
+         .size = size,
+         .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget | rhi::BufferUse::CopySource});
   };
   m_heads = buffer("list heads", m_headBytes);
   m_nodes = buffer("list nodes", m_capacity * nodeBytes);
@@ -26,7 +24,7 @@ ListPool::ListPool(rhi::Device& device, uint64_t lists, uint32_t nodeWords, uint
 }
 
 void ListPool::clear(rhi::CommandList& commands) {
-  commands.fill(m_heads, 0, m_headBytes, kEndOfList);
+  commands.fill(m_heads, 0, m_headBytes, END_OF_LIST);
   commands.fill(m_asked, 0, 4, 0);
   m_filled = true;
 }

@@ -19,7 +19,9 @@ OpaqueSurfaces::Pipelines OpaqueSurfaces::makePipelines(const Context& context,
   const rhi::CullMode cull = bucket.doubleSided ? rhi::CullMode::None : rhi::CullMode::Back;
   rhi::GraphicsPipelineDesc shaded = camera.surfacePipeline(
       bucket.masked ? "masked" : "opaque",
-      camera.shaded(CameraPass::Receivers::Opaque, "", "forward.frag"), bucket.masked);
+      camera.shaded(CameraPass::Receivers::Opaque, "", "forward.frag"),
+      // Where depth was drawn before, that alone has decided what the mask leaves.
+      bucket.masked && !camera.byLayer());
   shaded.raster.cull = cull;
   Pipelines pipelines;
   if (camera.byLayer()) {
@@ -27,7 +29,7 @@ OpaqueSurfaces::Pipelines OpaqueSurfaces::makePipelines(const Context& context,
     // the stencil counts.
     const rhi::StencilFace first = {.compare = rhi::CompareOp::Equal,
                                     .pass = rhi::StencilOp::IncrementClamp};
-    shaded.depth = {.test = true, .write = false, .compare = CameraPass::kNearerOrEqual};
+    shaded.depth = {.test = true, .write = false, .compare = rhi::CompareOp::Equal};
     shaded.stencil = {.test = true, .front = first, .back = first};
     rhi::GraphicsPipelineDesc depth = camera.unshadedPipeline("common/surface_mask.frag");
     if (!bucket.masked) {

@@ -39,6 +39,8 @@ std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueI
       !(transparency.drawsParts && transparency.drawsParts(knobs)))
     return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
                      transparency.name + " does not draw those one after another"};
+  if (technique.receiversByLayer && !device.formatCaps(rhi::Format::D32FloatS8).depthTarget)
+    return rhi::Skip{"the device has no depth targets of D32F with stencil"};
   // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03,
   // P2).
   std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};

@@ -3,6 +3,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/exr_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/figure_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/html_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/html_text_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/json_read_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/output_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/regression_test.cpp

@@ -1,5 +1,6 @@
 # The tracer needs no driver; that techniques agree with it does.
 target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/area_sampling_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/area_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/integrated_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/coplanar_test.cpp
