@@ -23,7 +23,7 @@ RendererDesc rendererDesc(const CellId& id) {
 }
 
 Stage::Stage(const Scene& scene, rhi::Extent2D size)
-    : m_scene(scene), m_effects(analyse(scene, double(size.width) / double(size.height))) {}
+    : m_scene(scene), m_effects(analyse(scene, double(size.width) / double(size.height), size.height)) {}
 
 std::optional<rhi::Skip> Stage::unsupported(const rhi::Device& device,
                                             const RendererDesc& desc) const {
