@@ -1,13 +1,8 @@
 #include "suites/truth/bvh.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include "suites/truth/watertight.h"
@@ -29,7 +24,7 @@ class Search {
   }
 
   void test(uint32_t index) {
-    if (m_stopped) return;
+    if (m_stopped || index == m_ray.own) return;
     const auto hit = intersect(m_sheared, m_triangles[index].corners);
     if (!hit || !(hit->t > m_ray.tMin) || !(hit->t < m_ray.tMax) || hit->t > m_nearest) return;
     const TruthHit found{hit->t, hit->b, hit->c, index, hit->front};
@@ -45,10 +40,12 @@ class Search {
   }
 
   void finish() {
+    if (m_out.size() < 2) return;
     std::ranges::sort(m_out, {}, [](const TruthHit& h) { return std::tuple(h.t, h.triangle); });
     std::erase_if(m_out, [&](const TruthHit& h) { return h.t > m_nearest; });
   }
 
+  const ShearedRay<double>& sheared() const { return m_sheared; }
   bool stopped() const { return m_stopped; }
   double nearest() const { return m_nearest; }
 
@@ -62,120 +59,63 @@ class Search {
   bool m_stopped = false;
 };
 
-struct SearchContext {
-  RTCIntersectContext embree;  // first: Embree hands back a pointer to it
-  Search* search;
-  double length;  ///< of the ray's direction: Embree's has length 1
-  double margin;
-};
-
-float roundedDown(double v) { return std::nextafter(float(v), -HUGE_VALF); }
-float roundedUp(double v) { return std::nextafter(float(v), HUGE_VALF); }
-
-void onIntersect(const RTCIntersectFunctionNArguments* args) {
-  if (!args->valid[0]) return;
-  const auto& context = *reinterpret_cast<const SearchContext*>(args->context);
-  Search& search = *context.search;
-  search.test(args->primID);
-  auto* ray = reinterpret_cast<RTCRayHit*>(args->rayhit);
-  if (search.stopped())
-    ray->ray.tfar = -HUGE_VALF;
-  else if (std::isfinite(search.nearest()))
-    // Boxes that begin behind what ends the ray need not be entered.
-    ray->ray.tfar = std::min(
-        ray->ray.tfar, roundedUp(search.nearest() * context.length * (1 + 1e-5) + context.margin));
-}
-
-[[noreturn]] void fail(RTCDevice device, const char* what) {
-  throw std::runtime_error(std::string("Embree: ") + what + ": error " +
-                           std::to_string(int(rtcGetDeviceError(device))));
-}
-
-}  // namespace
-
-struct Bvh::Impl {
-  const std::vector<TruthTriangle>& triangles;
-  double margin = 0;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  std::atomic<int64_t> bytes = 0;
-
-  static bool count(void* self, ssize_t bytes, bool) {
-    static_cast<Impl*>(self)->bytes += bytes;
-    return true;
-  }
-
-  static void bounds(const RTCBoundsFunctionArguments* args) {
-    const Impl& impl = *static_cast<const Impl*>(args->geometryUserPtr);
-    const auto& corners = impl.triangles[args->primID].corners;
-    const glm::dvec3 low = glm::min(glm::min(corners[0], corners[1]), corners[2]) - impl.margin;
-    const glm::dvec3 high = glm::max(glm::max(corners[0], corners[1]), corners[2]) + impl.margin;
-    RTCBounds& b = *args->bounds_o;
-    b.lower_x = roundedDown(low.x);
-    b.lower_y = roundedDown(low.y);
-    b.lower_z = roundedDown(low.z);
-    b.upper_x = roundedUp(high.x);
-    b.upper_y = roundedUp(high.y);
-    b.upper_z = roundedUp(high.z);
-  }
-
-  ~Impl() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
-  }
-};
-
-Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach)
-    : m_impl(new Impl{.triangles = triangles}) {
+double marginOf(const std::vector<TruthTriangle>& triangles, double reach) {
   double extent = reach;
   for (const TruthTriangle& t : triangles)
     for (const glm::dvec3& p : t.corners)
       extent = std::max(extent, std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
   // Half an ulp of the origin, and of the direction over twice the extent: 2^-22 of the extent; four
   // times that.
-  m_impl->margin = extent * 0x1p-20;
-  m_impl->device = rtcNewDevice(nullptr);
-  if (!m_impl->device) fail(nullptr, "no device");
-  rtcSetDeviceMemoryMonitorFunction(m_impl->device, Impl::count, m_impl.get());
-  m_impl->scene = rtcNewScene(m_impl->device);
-  rtcSetSceneFlags(m_impl->scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(m_impl->device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, unsigned(triangles.size()));
-  rtcSetGeometryUserData(geometry, m_impl.get());
-  rtcSetGeometryBoundsFunction(geometry, Impl::bounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, onIntersect);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(m_impl->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(m_impl->scene);
-  if (rtcGetDeviceError(m_impl->device) != RTC_ERROR_NONE) fail(m_impl->device, "no tree");
+  return extent * 0x1p-20;
 }
 
-Bvh::~Bvh() = default;
+/// Directions are told by their components over the largest one. Smaller shares than this move
+/// nothing by a margin within the scene.
+constexpr double kLeastShare = 1e-18;
 
-uint64_t Bvh::bytes() const { return uint64_t(std::max<int64_t>(0, m_impl->bytes)); }
+float inverseOf(double share) {
+  return float(1 / std::copysign(std::max(std::abs(share), kLeastShare), share));
+}
 
-void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) const {
-  Search search(m_impl->triangles, ray, judge, out);
-  const double length = glm::length(ray.direction);
-  SearchContext context{{}, &search, length, 2 * m_impl->margin};
-  rtcInitIntersectContext(&context.embree);
-  const glm::dvec3 d = ray.direction / length;
-  RTCRayHit query{};
-  query.ray.org_x = float(ray.origin.x);
-  query.ray.org_y = float(ray.origin.y);
-  query.ray.org_z = float(ray.origin.z);
-  // Unit length, so that distances are those of the scene.
-  query.ray.dir_x = float(d.x);
-  query.ray.dir_y = float(d.y);
-  query.ray.dir_z = float(d.z);
-  query.ray.tnear = 0;
-  query.ray.tfar = std::isfinite(ray.tMax)
-                       ? roundedUp(ray.tMax * length * (1 + 1e-5) + 2 * m_impl->margin)
-                       : HUGE_VALF;
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(m_impl->scene, &context.embree, &query);
+}  // namespace
+
+Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach)
+    : m_triangles(triangles), m_margin(marginOf(triangles, reach)), m_tree(triangles, m_margin) {}
+
+void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out,
+               BoxWalk walk) const {
+  Search search(m_triangles, ray, judge, out);
+  if (m_tree.empty()) return;
+  const ShearedRay<double>& sheared = search.sheared();
+  struct Context {
+    Search& search;
+    double length;  ///< of the ray's direction: its largest component
+    double margin;
+    /// Boxes that begin behind what ends the ray need not be entered.
+    float end(double t) const { return float(t * length * (1 + 1e-5) + margin); }
+  } context{search, std::abs(ray.direction[sheared.kz]), 2 * m_margin};
+  WalkRay query{.end = context.end(ray.tMax),
+                .kx = sheared.kx,
+                .ky = sheared.ky,
+                .kz = sheared.kz,
+                .ox = sheared.ox,
+                .oy = sheared.oy,
+                .oz = sheared.oz,
+                .sx = sheared.sx,
+                .sy = sheared.sy};
+  for (int axis = 0; axis < 3; ++axis) query.origin[axis] = float(ray.origin[axis]);
+  const double side = std::copysign(1, ray.direction[sheared.kz]);
+  query.inverse[sheared.kx] = inverseOf(side * sheared.sx);
+  query.inverse[sheared.ky] = inverseOf(side * sheared.sy);
+  query.inverse[sheared.kz] = float(side);
+  walk(m_tree.view(), query,
+       [](void* self, uint32_t triangle, float end) {
+         const Context& c = *static_cast<const Context*>(self);
+         c.search.test(triangle);
+         if (c.search.stopped()) return -1.0f;
+         return std::isfinite(c.search.nearest()) ? std::min(end, c.end(c.search.nearest())) : end;
+       },
+       &context);
   search.finish();
 }
 

@@ -1,14 +1,13 @@
-// Which triangles a ray meets: Embree's tree over user geometry (decision D7). Boxes are rounded
+// Which triangles a ray meets: a tree of boxes that Embree built (decision D7). Boxes are rounded
 // outward and widened by what turning a ray into floats can move it, so the tree never hides a
 // triangle that testing all of them would find; the test itself is ours and in double.
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "suites/truth/triangles.h"
+#include "suites/truth/box_tree.h"
 
 namespace sb {
 
@@ -17,6 +16,7 @@ struct TruthRay {
   glm::dvec3 direction;  ///< of any length: t counts in it
   double tMin = 0;       ///< hits lie in (tMin, tMax)
   double tMax = 0;       ///< may be infinite
+  uint32_t own = kNone;  ///< the triangle it starts on, which it does not meet
   double tie = 0;        ///< hits so little behind the nearest that ends the ray are kept too
 };
 
@@ -32,18 +32,18 @@ class Bvh {
   /// `triangles` must outlive the tree; `reach`: no ray starts or ends farther from zero than this,
   /// except to infinity. Throws std::runtime_error when Embree refuses.
   Bvh(const std::vector<TruthTriangle>& triangles, double reach);
-  ~Bvh();
 
   /// What to do with a hit: pass through it, keep it, keep it and forget all behind it, or end the
   /// search with it.
   enum class Verdict { Ignore, Keep, Nearest, Stop };
   using Judge = std::function<Verdict(const TruthHit&)>;
   /// Hits in order of t, ties by triangle. The order in which `judge` is asked is not defined; after
-  /// Stop the result is that one hit.
-  void hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) const;
+  /// Stop the result is that one hit. `walk` changes no answer.
+  void hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out,
+            BoxWalk walk = bestWalk()) const;
 
-  /// Memory that Embree keeps.
-  uint64_t bytes() const;
+  /// Memory of the tree.
+  uint64_t bytes() const { return m_tree.bytes(); }
 
   /// The same by testing every triangle, or those `among` them alone.
   static void hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
@@ -52,8 +52,9 @@ class Bvh {
                      const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> m_impl;
+  const std::vector<TruthTriangle>& m_triangles;
+  double m_margin;  ///< world units
+  BoxTree m_tree;
 };
 
 }  // namespace sb

@@ -42,15 +42,25 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
     : m_scene(scene),
       m_width(width),
       m_height(height),
+      m_cameraAxes(scene.camera().toWorld),
+      m_cameraTangent(std::tan(scene.camera().fovY / 2)),
       m_triangles(truthTriangles(scene, scene.camera().eye())),
       m_traits(surfaceTraits(scene)),
       m_media(scene, scene.camera().eye()) {
   const dvec3 eye = scene.camera().eye();
   for (uint32_t i = 0; i < scene.lights.size(); ++i) {
     m_lights.push_back(lightData(scene.lights[i], i, eye));
+    m_lightDirections.push_back(-glm::normalize(scene.lights[i].direction));
     m_lightPositions.push_back(scene.lights[i].type == LightType::Directional
                                    ? dvec3(0)
                                    : scene.lights[i].position - eye);
+  }
+  for (const Instance& instance : scene.instances)
+    m_instanceTraits.push_back(&m_traits[scene.meshes[instance.mesh].material]);
+  m_planes.reserve(m_triangles.size());
+  for (const TruthTriangle& t : m_triangles) {
+    const Facet f = facetOf(scene, t.instance, t.number, eye);
+    m_planes.push_back({f.normal, f.ulp});
   }
   m_reach = extentOf(m_triangles, m_lightPositions);
   const Camera& c = scene.camera();
@@ -64,7 +74,7 @@ Surface RayScene::surface(const TruthHit& hit) const {
 
 TruthRay RayScene::cameraRay(double x, double y) const {
   const Camera& c = m_scene.camera();
-  const glm::dmat3 axes(c.toWorld);
+  const glm::dmat3& axes = m_cameraAxes;
   const double aspect = double(m_width) / m_height;
   const double u = (2 * x / m_width - 1) * aspect, v = 2 * y / m_height - 1;
   TruthRay ray{.origin = dvec3(0), .direction = dvec3(0), .tMin = c.nearPlane, .tMax = c.farPlane};
@@ -73,8 +83,7 @@ TruthRay RayScene::cameraRay(double x, double y) const {
     ray.origin = axes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
     ray.direction = axes * dvec3(0, 0, -1);
   } else {
-    const double tangent = std::tan(c.fovY / 2);
-    ray.direction = axes * dvec3(u * tangent, v * tangent, -1);
+    ray.direction = axes * dvec3(u * m_cameraTangent, v * m_cameraTangent, -1);
   }
   return ray;
 }
@@ -87,18 +96,15 @@ MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, dou
 
 void RayScene::cameraHits(double x, double y, CameraHits& out) const {
   const auto endsRay = [&](const TruthHit& hit) {
-    const TruthTriangle& t = m_triangles[hit.triangle];
-    return !m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material]
-                .material.cameraTranslucent;
+    return !traits(hit.triangle).material.cameraTranslucent;
   };
   const Bvh::Judge judge = [&](const TruthHit& hit) {
-    const Surface at = surface(hit);
-    const SurfaceTraits& traits = at.traits();
+    const SurfaceTraits& traits = this->traits(hit.triangle);
     if (traits.material.cameraTranslucent)
-      return at.optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
+      return surface(hit).optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
     // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
     if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
-    if (traits.masked && at.optics().alpha <= 0) return Bvh::Verdict::Ignore;
+    if (traits.masked && surface(hit).optics().alpha <= 0) return Bvh::Verdict::Ignore;
     return Bvh::Verdict::Nearest;
   };
   TruthRay ray = cameraRay(x, y);
@@ -153,19 +159,17 @@ Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
   dvec3 p = ray.origin + hit.t * ray.direction;
   // Into the plane again, as nearly as doubles can say.
   p -= n * glm::dot(n, p - t.corners[0]);
-  const SurfaceTraits& traits =
-      m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material];
   // Toward the eye, as the shaders turn it, for orthographic cameras too.
   return {.position = p,
           .normal = glm::dot(n, p) > 0 ? -n : n,
           .instance = t.instance,
           .triangle = hit.triangle,
-          .translucent = traits.material.lightClass == MaterialClass::Translucent};
+          .translucent = traits(hit.triangle).material.lightClass == MaterialClass::Translucent};
 }
 
 dvec3 RayScene::toLight(uint32_t light, const dvec3& position) const {
   if (m_scene.lights[light].type == LightType::Directional)
-    return -glm::normalize(m_scene.lights[light].direction);
+    return m_lightDirections[light];
   return glm::normalize(m_lightPositions[light] - position);
 }
 
@@ -182,11 +186,11 @@ bool RayScene::holds(uint32_t triangle, const Tracer::Point& point) const {
   const TruthTriangle& t = m_triangles[triangle];
   if (touches(t, point.position)) return true;
   if (point.triangle == kNone) return false;
-  const Facet own = facet(point.triangle), other = facet(triangle);
   // Near enough for its plane to be the same one?
-  const dvec3 n = glm::abs(other.normal);
-  return std::abs(heightOver(other, point.position)) <= 16 * glm::dot(n, own.ulp + other.ulp) &&
-         coplanar(own, other);
+  const Plane &own = m_planes[point.triangle], &other = m_planes[triangle];
+  const double height = glm::dot(other.normal, point.position - t.corners[0]);
+  return std::abs(height) <= 16 * glm::dot(glm::abs(other.normal), own.ulp + other.ulp) &&
+         coplanar(facet(point.triangle), facet(triangle));
 }
 
 bool RayScene::isInPlane(uint32_t triangle, const dvec3& place) const {
@@ -205,9 +209,10 @@ dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
   const TruthRay ray{.origin = point.position,
                      .direction = target.toward,
                      .tMin = 0,
-                     .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1};
+                     .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1,
+                     .own = point.triangle};
   bool blocked = false;
-  const double own = ownNear / glm::length(ray.direction);
+  const double own = ownNear > 0 ? ownNear / glm::length(ray.direction) : 0;
   const auto judge = [&](const TruthHit& hit) {
     if (isOwn(hit.triangle, point) ||
         (hit.t < own && m_triangles[hit.triangle].instance == point.instance) ||

@@ -59,8 +59,7 @@ class RayScene {
   glm::dvec3 toLight(uint32_t light, const glm::dvec3& position) const;
   const std::vector<TruthTriangle>& triangles() const { return m_triangles; }
   const SurfaceTraits& traits(uint32_t triangle) const {
-    return m_traits[m_scene.meshes[m_scene.instances[m_triangles[triangle].instance].mesh]
-                        .material];
+    return *m_instanceTraits[m_triangles[triangle].instance];
   }
   /// Farthest coordinate of anything, relative to the eye.
   double extent() const { return m_reach; }
@@ -75,10 +74,16 @@ class RayScene {
   const Scene& scene() const { return m_scene; }
   uint32_t width() const { return m_width; }
   uint32_t height() const { return m_height; }
-  uint64_t bytes() const { return m_triangles.size() * sizeof(TruthTriangle) + m_bvh->bytes(); }
+  uint64_t bytes() const {
+    return m_triangles.size() * (sizeof(TruthTriangle) + sizeof(Plane)) + m_bvh->bytes();
+  }
   uint32_t lights() const { return uint32_t(m_lights.size()); }
 
  private:
+  /// Of a facet, what tells planes that are far apart.
+  struct Plane {
+    glm::dvec3 normal, ulp;
+  };
   TruthRay cameraRay(double x, double y) const;
   Facet facet(uint32_t triangle) const;
   /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
@@ -89,10 +94,15 @@ class RayScene {
 
   const Scene& m_scene;
   uint32_t m_width, m_height;
+  const glm::dmat3 m_cameraAxes;
+  const double m_cameraTangent;  ///< of half the vertical angle
   std::vector<TruthTriangle> m_triangles;
+  std::vector<Plane> m_planes;  ///< of each triangle
   std::vector<SurfaceTraits> m_traits;
+  std::vector<const SurfaceTraits*> m_instanceTraits;
   std::vector<gpu::LightData> m_lights;
   std::vector<glm::dvec3> m_lightPositions;
+  std::vector<glm::dvec3> m_lightDirections;  ///< toward directional lights, unit
   MediaField m_media;
   double m_reach;  ///< farthest coordinate of anything
   std::unique_ptr<Bvh> m_bvh;

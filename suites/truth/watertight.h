@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
 namespace sb {
@@ -17,15 +18,16 @@ namespace sb {
 template <class Scalar>
 struct ShearedRay {
   using Vec = glm::vec<3, Scalar>;
-  Vec origin;
   int kx, ky, kz;
+  Scalar ox, oy, oz;  ///< the origin, in their order
   Scalar sx, sy, sz;
 
-  ShearedRay(const Vec& o, const Vec& d) : origin(o) {
+  ShearedRay(const Vec& o, const Vec& d) {
     const Vec a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
+    ox = o[kx], oy = o[ky], oz = o[kz];
     sx = d[kx] / d[kz];
     sy = d[ky] / d[kz];
     sz = Scalar(1) / d[kz];
@@ -44,10 +46,11 @@ std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
                                              const std::array<glm::vec<3, Scalar>, 3>& triangle) {
   Scalar x[3], y[3], z[3];
   for (int i = 0; i < 3; ++i) {
-    const auto p = triangle[size_t(i)] - ray.origin;
-    z[i] = ray.sz * p[ray.kz];
-    x[i] = p[ray.kx] - ray.sx * p[ray.kz];
-    y[i] = p[ray.ky] - ray.sy * p[ray.kz];
+    const Scalar* corner = glm::value_ptr(triangle[size_t(i)]);
+    const Scalar pz = corner[ray.kz] - ray.oz;
+    z[i] = ray.sz * pz;
+    x[i] = corner[ray.kx] - ray.ox - ray.sx * pz;
+    y[i] = corner[ray.ky] - ray.oy - ray.sy * pz;
   }
   // Edge i lies opposite to vertex i. a b - c d is exactly the negative of c d - a b.
   Scalar e[3];

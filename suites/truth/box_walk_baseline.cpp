@@ -1,0 +1,2 @@
+#define WALK walkBaseline
+#include "suites/truth/box_walk_kernel.h"
