@@ -10,8 +10,8 @@ bool hasAvx2() {
 #endif
 }
 
-BoxWalk bestWalk() {
-  static const BoxWalk best = hasAvx2() ? walkAvx2 : walkBaseline;
+const BoxWalks& bestWalks() {
+  static const BoxWalks best = hasAvx2() ? avx2Walks() : baselineWalks();
   return best;
 }
 

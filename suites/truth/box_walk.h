@@ -12,15 +12,17 @@ constexpr uint32_t kBoxes = 8;          ///< children of a node
 constexpr uint32_t kLeafTriangles = 4;  ///< of a leaf
 constexpr uint32_t kLeafChild = 1u << 31;
 constexpr uint32_t kTreeDepth = 40;
+constexpr uint32_t kPacket = 8;  ///< rays that walk together
 
 struct alignas(64) BoxNode {
   float bounds[6][kBoxes];  ///< least x, y, z, greatest x, y, z; nothing meets a place without child
   uint32_t child[kBoxes];   ///< number of a node, or kLeafChild | number of a leaf
 };
 
-struct alignas(64) TriangleLeaf {
+struct alignas(32) TriangleLeaf {
   double corner[3][3][kLeafTriangles];  ///< [corner][axis][triangle]; NaN in places without one
   uint32_t triangle[kLeafTriangles];
+  float bounds[6];  ///< as BoxNode::bounds
 };
 
 struct BoxTreeView {
@@ -36,18 +38,33 @@ struct WalkRay {
   float end;
   int kx, ky, kz;  ///< as ShearedRay
   double ox, oy, oz, sx, sy;
+  uint32_t own;  ///< the triangle that is not asked for
+};
+
+/// Rays whose directions have the same signs.
+struct alignas(32) WalkPacket {
+  float origin[3][kPacket];
+  float inverse[3][kPacket];
+  float end[kPacket];  ///< negative: no ray there, or it ended
+  WalkRay rays[kPacket];
 };
 
 /// Asked for triangles that the ray's line meets: how far to walk on; negative ends the walk.
 using Candidate = float (*)(void* search, uint32_t triangle, float end);
-using BoxWalk = void (*)(const BoxTreeView& tree, const WalkRay& ray, Candidate candidate,
-                         void* search);
+/// The same for a ray of a packet.
+using PacketCandidate = float (*)(void* search, uint32_t ray, uint32_t triangle, float end);
 
-void walkBaseline(const BoxTreeView& tree, const WalkRay& ray, Candidate candidate, void* search);
+/// The walks compiled for one set of instructions.
+struct BoxWalks {
+  void (*ray)(const BoxTreeView& tree, const WalkRay& ray, Candidate candidate, void* search);
+  void (*packet)(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate candidate,
+                 void* search);
+};
+BoxWalks baselineWalks();
 /// Only where the CPU has AVX2; no fused multiplication, which would round otherwise.
-void walkAvx2(const BoxTreeView& tree, const WalkRay& ray, Candidate candidate, void* search);
+BoxWalks avx2Walks();
 bool hasAvx2();
 /// The fastest that this CPU has.
-BoxWalk bestWalk();
+const BoxWalks& bestWalks();
 
 }  // namespace sb

@@ -1,2 +1,2 @@
-#define WALK walkBaseline
+#define WALKS baselineWalks
 #include "suites/truth/box_walk_kernel.h"

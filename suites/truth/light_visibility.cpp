@@ -150,8 +150,11 @@ std::optional<dvec3> LightVisibility::even(Question& question) const {
 LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point& point,
                                              const AreaSampling& sampling, Scratch& scratch,
                                              double ownNear) const {
+  if (!isArea(light))
+    return {.visible = m_scene.passed(point, m_scene.target(light, point.position), scratch.hits,
+                                      ownNear),
+            .rays = 1};
   Question question(*this, light, point, scratch, ownNear);
-  if (!isArea(light)) return {.visible = question.toCentre(), .rays = 1};
   if (question.patch().inside) return {.undefined = true};
   if (sampling.pattern > 0) {
     Answer answer{.visible = dvec3(0), .rays = sampling.pattern};
@@ -167,6 +170,25 @@ LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point
   return estimate(sampling, question.patch(), true, [&](const glm::dvec2& place) {
     return std::pair(question.passed(question.at(place)), dvec3(1));
   });
+}
+
+void LightVisibility::ask(uint32_t light, std::span<const Query> queries,
+                          const AreaSampling& sampling, Scratch& scratch) const {
+  if (isArea(light)) {
+    for (const Query& q : queries) *q.answer = ask(light, *q.point, sampling, scratch);
+    return;
+  }
+  std::array<RayScene::ShadowRay, kPacket> rays;
+  for (size_t first = 0; first < queries.size(); first += kPacket) {
+    const size_t count = std::min<size_t>(kPacket, queries.size() - first);
+    for (size_t i = 0; i < count; ++i) {
+      const Tracer::Point& point = *queries[first + i].point;
+      rays[i] = {.point = &point, .target = m_scene.target(light, point.position)};
+    }
+    m_scene.pass(std::span(rays).first(count), scratch.packet);
+    for (size_t i = 0; i < count; ++i)
+      *queries[first + i].answer = {.visible = rays[i].passed, .rays = 1};
+  }
 }
 
 LightVisibility::Answer LightVisibility::integrate(uint32_t light, const Tracer::Point& point,

@@ -94,30 +94,56 @@ MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, dou
   return {ray.origin, ray.direction / length, from * length, to * length};
 }
 
+Bvh::Verdict RayScene::judgeForCamera(const TruthHit& hit) const {
+  const SurfaceTraits& traits = this->traits(hit.triangle);
+  if (traits.material.cameraTranslucent)
+    return surface(hit).optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
+  // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
+  if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
+  if (traits.masked && surface(hit).optics().alpha <= 0) return Bvh::Verdict::Ignore;
+  return Bvh::Verdict::Nearest;
+}
+
 void RayScene::cameraHits(double x, double y, CameraHits& out) const {
+  CameraHits* const hits = &out;
+  const glm::dvec2 position(x, y);
+  cameraHits(std::span(&position, 1), std::span(&hits, 1));
+}
+
+void RayScene::cameraHits(std::span<const glm::dvec2> positions,
+                          std::span<CameraHits* const> out) const {
+  PacketHits hits;
+  for (size_t first = 0; first < positions.size(); first += kPacket) {
+    const size_t count = std::min<size_t>(kPacket, positions.size() - first);
+    std::array<TruthRay, kPacket> rays;
+    for (size_t i = 0; i < count; ++i) {
+      rays[i] = cameraRay(positions[first + i].x, positions[first + i].y);
+      rays[i].tie = kTieRange * m_reach;
+      hits[i].swap(out[first + i]->hits);
+    }
+    m_bvh->hits(std::span(rays).first(count),
+                [this](size_t, const TruthHit& hit) { return judgeForCamera(hit); },
+                std::span(hits).first(count));
+    for (size_t i = 0; i < count; ++i) {
+      hits[i].swap(out[first + i]->hits);
+      endCameraHits(*out[first + i]);
+    }
+  }
+}
+
+void RayScene::endCameraHits(CameraHits& out) const {
   const auto endsRay = [&](const TruthHit& hit) {
     return !traits(hit.triangle).material.cameraTranslucent;
   };
-  const Bvh::Judge judge = [&](const TruthHit& hit) {
-    const SurfaceTraits& traits = this->traits(hit.triangle);
-    if (traits.material.cameraTranslucent)
-      return surface(hit).optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
-    // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
-    if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
-    if (traits.masked && surface(hit).optics().alpha <= 0) return Bvh::Verdict::Ignore;
-    return Bvh::Verdict::Nearest;
-  };
-  TruthRay ray = cameraRay(x, y);
-  ray.tie = kTieRange * m_reach;
-  m_bvh->hits(ray, judge, out.hits);
-  orderTies(out.hits, ray.tie);
+  const double range = kTieRange * m_reach;
+  orderTies(out.hits, range);
   // Of opaque surfaces in one plane the first ends the ray; translucent ones in it are no layers.
   const auto opaque = std::ranges::find_if(out.hits, endsRay);
   out.endsOpaque = opaque != out.hits.end();
   if (!out.endsOpaque) return;
   const TruthHit end = *opaque;
   std::erase_if(out.hits, [&](const TruthHit& hit) {
-    return endsRay(hit) || hit.t > end.t || sameSurface(hit, end, ray.tie);
+    return endsRay(hit) || hit.t > end.t || sameSurface(hit, end, range);
   });
   out.hits.push_back(end);
 }
@@ -203,38 +229,74 @@ RayScene::Target RayScene::target(uint32_t light, const dvec3& position) const {
   return {.toward = m_lightPositions[light] - position, .place = m_lightPositions[light]};
 }
 
+/// One shadow ray on its way.
+class RayScene::Shadow {
+ public:
+  Shadow(const RayScene& scene, const Tracer::Point& point, const Target& target, double ownNear)
+      : m_scene(scene),
+        m_point(point),
+        m_target(target),
+        m_own(ownNear > 0 ? ownNear / glm::length(target.toward) : 0) {}
+
+  TruthRay ray() const {
+    return {.origin = m_point.position,
+            .direction = m_target.toward,
+            .tMin = 0,
+            .tMax = m_target.infinite ? std::numeric_limits<double>::infinity() : 1,
+            .own = m_point.triangle};
+  }
+  Bvh::Verdict judge(const TruthHit& hit) {
+    if (m_scene.isOwn(hit.triangle, m_point) ||
+        (hit.t < m_own && m_scene.m_triangles[hit.triangle].instance == m_point.instance) ||
+        (!m_target.infinite && hit.t > 0.5 && m_scene.isInPlane(hit.triangle, m_target.place)))
+      return Bvh::Verdict::Ignore;
+    const SurfaceTraits& traits = m_scene.traits(hit.triangle);
+    const bool perforated = traits.material.lightClass == MaterialClass::Perforated;
+    m_blocked = traits.blocks || (perforated && m_scene.surface(hit).optics().alpha >= 0.5f);
+    if (m_blocked) return Bvh::Verdict::Stop;
+    return perforated ? Bvh::Verdict::Ignore : Bvh::Verdict::Keep;
+  }
+  dvec3 passed(const std::vector<TruthHit>& hits) const {
+    if (m_blocked) return dvec3(0);
+    dvec3 passed(1);
+    for (const TruthHit& hit : hits) passed *= transmittance(m_scene.surface(hit).optics());
+    if (m_scene.m_media.empty()) return passed;
+    const TruthRay ray = this->ray();
+    const double length = glm::length(ray.direction);
+    return passed * m_scene.m_media.transmittance(
+                        {ray.origin, ray.direction / length, 0, ray.tMax * length});
+  }
+
+ private:
+  const RayScene& m_scene;
+  const Tracer::Point& m_point;
+  const Target& m_target;
+  const double m_own;
+  bool m_blocked = false;
+};
+
 dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
                        std::vector<TruthHit>& scratch, double ownNear,
                        std::optional<std::span<const uint32_t>> among) const {
-  const TruthRay ray{.origin = point.position,
-                     .direction = target.toward,
-                     .tMin = 0,
-                     .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1,
-                     .own = point.triangle};
-  bool blocked = false;
-  const double own = ownNear > 0 ? ownNear / glm::length(ray.direction) : 0;
-  const auto judge = [&](const TruthHit& hit) {
-    if (isOwn(hit.triangle, point) ||
-        (hit.t < own && m_triangles[hit.triangle].instance == point.instance) ||
-        (!target.infinite && hit.t > 0.5 && isInPlane(hit.triangle, target.place)))
-      return Bvh::Verdict::Ignore;
-    const SurfaceTraits& traits = this->traits(hit.triangle);
-    const bool perforated = traits.material.lightClass == MaterialClass::Perforated;
-    const bool blocks = traits.blocks || (perforated && surface(hit).optics().alpha >= 0.5f);
-    blocked |= blocks;
-    if (blocks) return Bvh::Verdict::Stop;
-    return perforated ? Bvh::Verdict::Ignore : Bvh::Verdict::Keep;
-  };
+  Shadow shadow(*this, point, target, ownNear);
+  const auto judge = [&](const TruthHit& hit) { return shadow.judge(hit); };
   if (among)
-    Bvh::hitsOf(m_triangles, *among, ray, std::ref(judge), scratch);
+    Bvh::hitsOf(m_triangles, *among, shadow.ray(), judge, scratch);
   else
-    m_bvh->hits(ray, std::ref(judge), scratch);
-  if (blocked) return dvec3(0);
-  dvec3 passed(1);
-  for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());
-  if (m_media.empty()) return passed;
-  const double length = glm::length(ray.direction);
-  return passed * m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
+    m_bvh->hits(shadow.ray(), judge, scratch);
+  return shadow.passed(scratch);
+}
+
+void RayScene::pass(std::span<ShadowRay> rays, PacketHits& scratch) const {
+  std::array<std::optional<Shadow>, kPacket> shadows;
+  std::array<TruthRay, kPacket> traced;
+  for (size_t i = 0; i < rays.size(); ++i)
+    traced[i] =
+        shadows[i].emplace(*this, *rays[i].point, rays[i].target, rays[i].ownNear).ray();
+  m_bvh->hits(std::span(traced).first(rays.size()),
+              [&](size_t ray, const TruthHit& hit) { return shadows[ray]->judge(hit); },
+              std::span(scratch).first(rays.size()));
+  for (size_t i = 0; i < rays.size(); ++i) rays[i].passed = shadows[i]->passed(scratch[i]);
 }
 
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,

@@ -25,6 +25,8 @@ class RayScene {
     bool endsOpaque = false;
   };
   void cameraHits(double x, double y, CameraHits& out) const;
+  /// The same at many positions; cheaper if those that follow one another are neighbours.
+  void cameraHits(std::span<const glm::dvec2> positions, std::span<CameraHits* const> out) const;
   Tracer::Point point(double x, double y, const TruthHit& hit) const;
 
   /// Where a shadow ray ends: in a place, or nowhere.
@@ -41,6 +43,16 @@ class RayScene {
   glm::dvec3 passed(const Tracer::Point& point, const Target& target,
                     std::vector<TruthHit>& scratch, double ownNear = 0,
                     std::optional<std::span<const uint32_t>> among = {}) const;
+  /// A shadow ray, and what `passed` gives for it.
+  struct ShadowRay {
+    const Tracer::Point* point = nullptr;
+    Target target;
+    double ownNear = 0;
+    glm::dvec3 passed = glm::dvec3(0);
+  };
+  using PacketHits = std::array<std::vector<TruthHit>, kPacket>;
+  /// `passed` of up to kPacket rays, which are best neighbours.
+  void pass(std::span<ShadowRay> rays, PacketHits& scratch) const;
   /// Does the triangle neither shadow the point nor anything else in its plane?
   bool isOwn(uint32_t triangle, const Tracer::Point& point) const {
     return triangle == point.triangle || holds(triangle, point);
@@ -85,6 +97,10 @@ class RayScene {
     glm::dvec3 normal, ulp;
   };
   TruthRay cameraRay(double x, double y) const;
+  Bvh::Verdict judgeForCamera(const TruthHit& hit) const;
+  /// Of what a camera ray met, leaves what the eye sees.
+  void endCameraHits(CameraHits& hits) const;
+  class Shadow;
   Facet facet(uint32_t triangle) const;
   /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
   bool sameSurface(const TruthHit& a, const TruthHit& b, double range) const;
