@@ -1,9 +1,9 @@
 #include "suites/truth/bvh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
 
 #include "suites/truth/watertight.h"
@@ -14,55 +14,61 @@ namespace {
 /// One ray's search: tests triangles and keeps what the judge says.
 class Search {
  public:
-  Search(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
-         std::vector<TruthHit>& out)
-      : m_triangles(triangles), m_ray(ray), m_sheared(ray.origin, ray.direction), m_out(out) {
+  /// In place: what is copied right after it was written, the CPU waits for.
+  void begin(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
+             std::vector<TruthHit>& out) {
+    m_triangles = triangles.data();
+    m_ray = &ray;
+    m_sheared = ShearedRay<double>(ray.origin, ray.direction);
+    m_out = &out;
+    m_nearest = std::numeric_limits<double>::infinity();
+    m_stopped = false;
     out.clear();
   }
 
   template <class Judge>
   void test(uint32_t index, const Judge& judge) {
-    if (m_stopped || index == m_ray.own) return;
+    if (m_stopped || index == m_ray->own) return;
     const auto hit = intersect(m_sheared, m_triangles[index].corners);
-    if (!hit || !(hit->t > m_ray.tMin) || !(hit->t < m_ray.tMax) || hit->t > m_nearest) return;
+    if (!hit || !(hit->t > m_ray->tMin) || !(hit->t < m_ray->tMax) || hit->t > m_nearest) return;
     const TruthHit found{hit->t, hit->b, hit->c, index, hit->front};
     const Bvh::Verdict verdict = judge(found);
     if (verdict == Bvh::Verdict::Ignore) return;
     if (verdict == Bvh::Verdict::Stop) {
       m_stopped = true;
-      m_out = {found};
+      *m_out = {found};
       return;
     }
-    if (verdict == Bvh::Verdict::Nearest) m_nearest = std::min(m_nearest, hit->t + m_ray.tie);
-    m_out.push_back(found);
+    if (verdict == Bvh::Verdict::Nearest) m_nearest = std::min(m_nearest, hit->t + m_ray->tie);
+    m_out->push_back(found);
   }
 
   void finish() {
-    if (m_out.size() < 2) return;
-    std::ranges::sort(m_out, {}, [](const TruthHit& h) { return std::tuple(h.t, h.triangle); });
-    std::erase_if(m_out, [&](const TruthHit& h) { return h.t > m_nearest; });
+    if (m_out->size() < 2) return;
+    std::ranges::sort(*m_out, {}, [](const TruthHit& h) { return std::tuple(h.t, h.triangle); });
+    std::erase_if(*m_out, [&](const TruthHit& h) { return h.t > m_nearest; });
   }
 
-  /// As the tree's walks take it. `margin`: that of the tree.
-  WalkRay walked(double margin) {
-    m_length = std::abs(m_ray.direction[m_sheared.kz]);
+  /// Sets out as the tree's walks take it. `margin`: that of the tree.
+  void setOut(double margin, WalkRay& ray) {
+    const glm::dvec3& direction = m_ray->direction;
+    const double towards = m_sheared.kz == 0   ? direction.x
+                           : m_sheared.kz == 1 ? direction.y
+                                               : direction.z;
+    m_length = std::abs(towards);
     m_slack = 2 * margin;
-    WalkRay ray{.end = end(m_ray.tMax),
-                .kx = m_sheared.kx,
-                .ky = m_sheared.ky,
-                .kz = m_sheared.kz,
-                .ox = m_sheared.ox,
-                .oy = m_sheared.oy,
-                .oz = m_sheared.oz,
-                .sx = m_sheared.sx,
-                .sy = m_sheared.sy,
-                .own = m_ray.own};
-    for (int axis = 0; axis < 3; ++axis) ray.origin[axis] = float(m_ray.origin[axis]);
-    const double side = std::copysign(1, m_ray.direction[m_sheared.kz]);
+    ray.end = end(m_ray->tMax);
+    ray.kx = m_sheared.kx, ray.ky = m_sheared.ky, ray.kz = m_sheared.kz;
+    ray.ox = m_sheared.ox, ray.oy = m_sheared.oy, ray.oz = m_sheared.oz;
+    ray.sx = m_sheared.sx, ray.sy = m_sheared.sy;
+    ray.own = m_ray->own;
+    ray.origin[0] = float(m_ray->origin.x);
+    ray.origin[1] = float(m_ray->origin.y);
+    ray.origin[2] = float(m_ray->origin.z);
+    const double side = std::copysign(1, towards);
     ray.inverse[m_sheared.kx] = inverseOf(side * m_sheared.sx);
     ray.inverse[m_sheared.ky] = inverseOf(side * m_sheared.sy);
     ray.inverse[m_sheared.kz] = float(side);
-    return ray;
   }
   /// How far to walk on, having walked to `before`.
   float walkedEnd(float before) const {
@@ -74,22 +80,23 @@ class Search {
  private:
   /// Directions are told by their components over the largest one. Smaller shares than this move
   /// nothing by a margin within the scene.
-  static constexpr double kLeastShare = 1e-18;
+  static constexpr float kLeastShare = 1e-18f;
 
   static float inverseOf(double share) {
-    return float(1 / std::copysign(std::max(std::abs(share), kLeastShare), share));
+    const float s = float(share);
+    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
   }
   /// Boxes that begin behind need not be entered.
   float end(double t) const { return float(t * m_length * (1 + 1e-5) + m_slack); }
 
-  const std::vector<TruthTriangle>& m_triangles;
-  const TruthRay& m_ray;
-  const ShearedRay<double> m_sheared;
-  std::vector<TruthHit>& m_out;
-  double m_length = 0;  ///< of the direction: its largest component
-  double m_slack = 0;
-  double m_nearest = std::numeric_limits<double>::infinity();
-  bool m_stopped = false;
+  const TruthTriangle* m_triangles;
+  const TruthRay* m_ray;
+  ShearedRay<double> m_sheared;
+  std::vector<TruthHit>* m_out;
+  double m_length;  ///< of the direction: its largest component
+  double m_slack;
+  double m_nearest;
+  bool m_stopped;
 };
 
 double marginOf(const std::vector<TruthTriangle>& triangles, double reach) {
@@ -103,9 +110,9 @@ double marginOf(const std::vector<TruthTriangle>& triangles, double reach) {
 }
 
 /// Which of its components are negative.
-uint32_t signsOf(const WalkRay& ray) {
-  return uint32_t(ray.inverse[0] < 0) | uint32_t(ray.inverse[1] < 0) << 1 |
-         uint32_t(ray.inverse[2] < 0) << 2;
+uint32_t signsOf(const glm::dvec3& d) {
+  return uint32_t(std::signbit(d.x)) | uint32_t(std::signbit(d.y)) << 1 |
+         uint32_t(std::signbit(d.z)) << 2;
 }
 
 /// Rays that walk together: neighbours of one another in the order in which they come, with
@@ -116,41 +123,41 @@ class Packet {
          const BoxWalks& walks, const Bvh::PacketJudge& judge)
       : m_triangles(triangles), m_tree(tree), m_margin(margin), m_walks(walks), m_judge(judge) {}
 
-  void add(size_t number, const TruthRay& ray, std::vector<TruthHit>& out) {
-    Search& search = m_searches[m_count].emplace(m_triangles, ray, out);
-    const WalkRay walked = search.walked(m_margin);
-    const uint32_t signs = signsOf(walked);
-    if (m_count > 0 && signs != m_signs) {
-      // Begins the next packet.
-      Search first = search;
+  void add(size_t number, const TruthRay& ray, std::vector<TruthHit>& hits) {
+    if (const uint32_t signs = signsOf(ray.direction); signs != m_signs) {
       walk();
-      m_searches[0].emplace(first);
+      m_signs = signs;
     }
-    m_signs = signs;
+    WalkRay& out = m_packet.rays[m_count];
+    m_searches[m_count].begin(m_triangles, ray, hits);
+    m_searches[m_count].setOut(m_margin, out);
     m_numbers[m_count] = number;
     for (int axis = 0; axis < 3; ++axis) {
-      m_packet.origin[axis][m_count] = walked.origin[axis];
-      m_packet.inverse[axis][m_count] = walked.inverse[axis];
+      m_packet.origin[axis][m_count] = out.origin[axis];
+      m_packet.inverse[axis][m_count] = out.inverse[axis];
     }
-    m_packet.end[m_count] = walked.end;
-    m_packet.rays[m_count] = walked;
+    m_packet.end[m_count] = out.end;
     if (++m_count == kPacket) walk();
   }
   /// Walks with those that were added.
   void walk() {
     if (m_count == 0) return;
-    for (uint32_t r = m_count; r < kPacket; ++r) m_packet.end[r] = -1;
+    for (uint32_t r = m_count; r < kPacket; ++r) {
+      for (int axis = 0; axis < 3; ++axis)
+        m_packet.origin[axis][r] = 0, m_packet.inverse[axis][r] = 1;
+      m_packet.end[r] = -1;
+    }
     m_walks.packet(
         m_tree.view(), m_packet,
         [](void* self, uint32_t ray, uint32_t triangle, float before) {
           Packet& p = *static_cast<Packet*>(self);
-          Search& search = *p.m_searches[ray];
+          Search& search = p.m_searches[ray];
           search.test(triangle,
                       [&](const TruthHit& hit) { return p.m_judge(p.m_numbers[ray], hit); });
           return search.walkedEnd(before);
         },
         this);
-    for (uint32_t r = 0; r < m_count; ++r) m_searches[r]->finish();
+    for (uint32_t r = 0; r < m_count; ++r) m_searches[r].finish();
     m_count = 0;
   }
 
@@ -160,9 +167,9 @@ class Packet {
   const double m_margin;
   const BoxWalks& m_walks;
   const Bvh::PacketJudge& m_judge;
-  std::array<std::optional<Search>, kPacket> m_searches;
+  std::array<Search, kPacket> m_searches;
   std::array<size_t, kPacket> m_numbers;
-  WalkPacket m_packet{};
+  WalkPacket m_packet;
   uint32_t m_signs = 0;
   uint32_t m_count = 0;
 };
@@ -177,10 +184,13 @@ void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& o
   struct Context {
     Search search;
     const Judge& judge;
-  } context{Search(m_triangles, ray, out), judge};
+  } context{{}, judge};
+  context.search.begin(m_triangles, ray, out);
   if (m_tree.empty()) return;
+  WalkRay walked;
+  context.search.setOut(m_margin, walked);
   walks.ray(
-      m_tree.view(), context.search.walked(m_margin),
+      m_tree.view(), walked,
       [](void* self, uint32_t triangle, float before) {
         Context& c = *static_cast<Context*>(self);
         c.search.test(triangle, c.judge);
@@ -190,27 +200,29 @@ void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& o
   context.search.finish();
 }
 
-void Bvh::hits(std::span<const TruthRay> rays, const PacketJudge& judge,
+void Bvh::hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
                std::span<std::vector<TruthHit>> out, const BoxWalks& walks) const {
   Packet packet(m_triangles, m_tree, m_margin, walks, judge);
   for (size_t i = 0; i < rays.size(); ++i)
     if (m_tree.empty())
       out[i].clear();
     else
-      packet.add(i, rays[i], out[i]);
+      packet.add(i, *rays[i], out[i]);
   packet.walk();
 }
 
 void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                     const Judge& judge, std::vector<TruthHit>& out) {
-  Search search(triangles, ray, out);
+  Search search;
+  search.begin(triangles, ray, out);
   for (uint32_t i = 0; i < triangles.size(); ++i) search.test(i, judge);
   search.finish();
 }
 
 void Bvh::hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
                  const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) {
-  Search search(triangles, ray, out);
+  Search search;
+  search.begin(triangles, ray, out);
   for (const uint32_t i : among) search.test(i, judge);
   search.finish();
 }

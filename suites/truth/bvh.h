@@ -16,8 +16,8 @@ struct TruthRay {
   glm::dvec3 direction;  ///< of any length: t counts in it
   double tMin = 0;       ///< hits lie in (tMin, tMax)
   double tMax = 0;       ///< may be infinite
-  uint32_t own = kNone;  ///< the triangle it starts on, which it does not meet
   double tie = 0;        ///< hits so little behind the nearest that ends the ray are kept too
+  uint32_t own = kNone;  ///< the triangle it starts on, which it does not meet
 };
 
 struct TruthHit {
@@ -43,7 +43,7 @@ class Bvh {
             const BoxWalks& walks = bestWalks()) const;
   /// The same of up to kPacket rays, told by their numbers: cheaper where they run side by side.
   using PacketJudge = std::function<Verdict(size_t ray, const TruthHit&)>;
-  void hits(std::span<const TruthRay> rays, const PacketJudge& judge,
+  void hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
             std::span<std::vector<TruthHit>> out, const BoxWalks& walks = bestWalks()) const;
 
   /// Memory of the tree.

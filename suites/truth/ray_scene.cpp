@@ -116,12 +116,14 @@ void RayScene::cameraHits(std::span<const glm::dvec2> positions,
   for (size_t first = 0; first < positions.size(); first += kPacket) {
     const size_t count = std::min<size_t>(kPacket, positions.size() - first);
     std::array<TruthRay, kPacket> rays;
+    std::array<const TruthRay*, kPacket> traced;
     for (size_t i = 0; i < count; ++i) {
       rays[i] = cameraRay(positions[first + i].x, positions[first + i].y);
       rays[i].tie = kTieRange * m_reach;
+      traced[i] = &rays[i];
       hits[i].swap(out[first + i]->hits);
     }
-    m_bvh->hits(std::span(rays).first(count),
+    m_bvh->hits(std::span(traced).first(count),
                 [this](size_t, const TruthHit& hit) { return judgeForCamera(hit); },
                 std::span(hits).first(count));
     for (size_t i = 0; i < count; ++i) {
@@ -232,53 +234,54 @@ RayScene::Target RayScene::target(uint32_t light, const dvec3& position) const {
 /// One shadow ray on its way.
 class RayScene::Shadow {
  public:
-  Shadow(const RayScene& scene, const Tracer::Point& point, const Target& target, double ownNear)
-      : m_scene(scene),
-        m_point(point),
-        m_target(target),
-        m_own(ownNear > 0 ? ownNear / glm::length(target.toward) : 0) {}
-
-  TruthRay ray() const {
-    return {.origin = m_point.position,
-            .direction = m_target.toward,
-            .tMin = 0,
-            .tMax = m_target.infinite ? std::numeric_limits<double>::infinity() : 1,
-            .own = m_point.triangle};
+  void begin(const RayScene& scene, const Tracer::Point& point, const Target& target,
+             double ownNear) {
+    m_scene = &scene;
+    m_point = &point;
+    m_target = &target;
+    m_own = ownNear > 0 ? ownNear / glm::length(target.toward) : 0;
+    m_blocked = false;
+    m_ray.origin = point.position;
+    m_ray.direction = target.toward;
+    m_ray.tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1;
+    m_ray.own = point.triangle;
   }
+  const TruthRay& ray() const { return m_ray; }
   Bvh::Verdict judge(const TruthHit& hit) {
-    if (m_scene.isOwn(hit.triangle, m_point) ||
-        (hit.t < m_own && m_scene.m_triangles[hit.triangle].instance == m_point.instance) ||
-        (!m_target.infinite && hit.t > 0.5 && m_scene.isInPlane(hit.triangle, m_target.place)))
+    if (m_scene->isOwn(hit.triangle, *m_point) ||
+        (hit.t < m_own && m_scene->m_triangles[hit.triangle].instance == m_point->instance) ||
+        (!m_target->infinite && hit.t > 0.5 && m_scene->isInPlane(hit.triangle, m_target->place)))
       return Bvh::Verdict::Ignore;
-    const SurfaceTraits& traits = m_scene.traits(hit.triangle);
+    const SurfaceTraits& traits = m_scene->traits(hit.triangle);
     const bool perforated = traits.material.lightClass == MaterialClass::Perforated;
-    m_blocked = traits.blocks || (perforated && m_scene.surface(hit).optics().alpha >= 0.5f);
+    m_blocked = traits.blocks || (perforated && m_scene->surface(hit).optics().alpha >= 0.5f);
     if (m_blocked) return Bvh::Verdict::Stop;
     return perforated ? Bvh::Verdict::Ignore : Bvh::Verdict::Keep;
   }
   dvec3 passed(const std::vector<TruthHit>& hits) const {
     if (m_blocked) return dvec3(0);
     dvec3 passed(1);
-    for (const TruthHit& hit : hits) passed *= transmittance(m_scene.surface(hit).optics());
-    if (m_scene.m_media.empty()) return passed;
-    const TruthRay ray = this->ray();
-    const double length = glm::length(ray.direction);
-    return passed * m_scene.m_media.transmittance(
-                        {ray.origin, ray.direction / length, 0, ray.tMax * length});
+    for (const TruthHit& hit : hits) passed *= transmittance(m_scene->surface(hit).optics());
+    if (m_scene->m_media.empty()) return passed;
+    const double length = glm::length(m_ray.direction);
+    return passed * m_scene->m_media.transmittance(
+                        {m_ray.origin, m_ray.direction / length, 0, m_ray.tMax * length});
   }
 
  private:
-  const RayScene& m_scene;
-  const Tracer::Point& m_point;
-  const Target& m_target;
-  const double m_own;
-  bool m_blocked = false;
+  const RayScene* m_scene;
+  const Tracer::Point* m_point;
+  const Target* m_target;
+  TruthRay m_ray;
+  double m_own;
+  bool m_blocked;
 };
 
 dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
                        std::vector<TruthHit>& scratch, double ownNear,
                        std::optional<std::span<const uint32_t>> among) const {
-  Shadow shadow(*this, point, target, ownNear);
+  Shadow shadow;
+  shadow.begin(*this, point, target, ownNear);
   const auto judge = [&](const TruthHit& hit) { return shadow.judge(hit); };
   if (among)
     Bvh::hitsOf(m_triangles, *among, shadow.ray(), judge, scratch);
@@ -288,15 +291,16 @@ dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
 }
 
 void RayScene::pass(std::span<ShadowRay> rays, PacketHits& scratch) const {
-  std::array<std::optional<Shadow>, kPacket> shadows;
-  std::array<TruthRay, kPacket> traced;
-  for (size_t i = 0; i < rays.size(); ++i)
-    traced[i] =
-        shadows[i].emplace(*this, *rays[i].point, rays[i].target, rays[i].ownNear).ray();
+  std::array<Shadow, kPacket> shadows;
+  std::array<const TruthRay*, kPacket> traced;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    shadows[i].begin(*this, *rays[i].point, rays[i].target, rays[i].ownNear);
+    traced[i] = &shadows[i].ray();
+  }
   m_bvh->hits(std::span(traced).first(rays.size()),
-              [&](size_t ray, const TruthHit& hit) { return shadows[ray]->judge(hit); },
+              [&](size_t ray, const TruthHit& hit) { return shadows[ray].judge(hit); },
               std::span(scratch).first(rays.size()));
-  for (size_t i = 0; i < rays.size(); ++i) rays[i].passed = shadows[i]->passed(scratch[i]);
+  for (size_t i = 0; i < rays.size(); ++i) rays[i].passed = shadows[i].passed(scratch[i]);
 }
 
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,

@@ -22,6 +22,7 @@ struct ShearedRay {
   Scalar ox, oy, oz;  ///< the origin, in their order
   Scalar sx, sy, sz;
 
+  ShearedRay() = default;
   ShearedRay(const Vec& o, const Vec& d) {
     const Vec a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
