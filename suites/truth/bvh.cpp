@@ -11,15 +11,41 @@
 namespace sb {
 namespace {
 
+/// All of a ray but where it starts.
+struct Heading {
+  Shear<double> shear;
+  float inverse[3];  ///< of the direction over its largest component
+  double length;     ///< its largest component
+
+  Heading() = default;
+  explicit Heading(const glm::dvec3& direction) : shear(direction) {
+    const double towards = glm::value_ptr(direction)[shear.kz];
+    const double side = std::copysign(1, towards);
+    length = std::abs(towards);
+    inverse[shear.kx] = inverseOf(side * shear.sx);
+    inverse[shear.ky] = inverseOf(side * shear.sy);
+    inverse[shear.kz] = float(side);
+  }
+
+ private:
+  /// Components that are smaller shares of the largest one move nothing by a margin within the scene.
+  static constexpr float kLeastShare = 1e-18f;
+
+  static float inverseOf(double share) {
+    const float s = float(share);
+    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
+  }
+};
+
 /// One ray's search: tests triangles and keeps what the judge says.
 class Search {
  public:
   /// In place: what is copied right after it was written, the CPU waits for.
   void begin(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
-             std::vector<TruthHit>& out) {
+             const Shear<double>& shear, std::vector<TruthHit>& out) {
     m_triangles = triangles.data();
     m_ray = &ray;
-    m_sheared = ShearedRay<double>(ray.origin, ray.direction);
+    m_sheared = ShearedRay<double>(ray.origin, shear);
     m_out = &out;
     m_nearest = std::numeric_limits<double>::infinity();
     m_stopped = false;
@@ -50,25 +76,18 @@ class Search {
   }
 
   /// Sets out as the tree's walks take it. `margin`: that of the tree.
-  void setOut(double margin, WalkRay& ray) {
-    const glm::dvec3& direction = m_ray->direction;
-    const double towards = m_sheared.kz == 0   ? direction.x
-                           : m_sheared.kz == 1 ? direction.y
-                                               : direction.z;
-    m_length = std::abs(towards);
+  void setOut(double margin, const Heading& heading, WalkRay& ray) {
+    m_length = heading.length;
     m_slack = 2 * margin;
     ray.end = end(m_ray->tMax);
     ray.kx = m_sheared.kx, ray.ky = m_sheared.ky, ray.kz = m_sheared.kz;
     ray.ox = m_sheared.ox, ray.oy = m_sheared.oy, ray.oz = m_sheared.oz;
     ray.sx = m_sheared.sx, ray.sy = m_sheared.sy;
     ray.own = m_ray->own;
-    ray.origin[0] = float(m_ray->origin.x);
-    ray.origin[1] = float(m_ray->origin.y);
-    ray.origin[2] = float(m_ray->origin.z);
-    const double side = std::copysign(1, towards);
-    ray.inverse[m_sheared.kx] = inverseOf(side * m_sheared.sx);
-    ray.inverse[m_sheared.ky] = inverseOf(side * m_sheared.sy);
-    ray.inverse[m_sheared.kz] = float(side);
+    for (int axis = 0; axis < 3; ++axis) {
+      ray.origin[axis] = float(glm::value_ptr(m_ray->origin)[axis]);
+      ray.inverse[axis] = heading.inverse[axis];
+    }
   }
   /// How far to walk on, having walked to `before`.
   float walkedEnd(float before) const {
@@ -78,14 +97,6 @@ class Search {
   }
 
  private:
-  /// Directions are told by their components over the largest one. Smaller shares than this move
-  /// nothing by a margin within the scene.
-  static constexpr float kLeastShare = 1e-18f;
-
-  static float inverseOf(double share) {
-    const float s = float(share);
-    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
-  }
   /// Boxes that begin behind need not be entered.
   float end(double t) const { return float(t * m_length * (1 + 1e-5) + m_slack); }
 
@@ -124,13 +135,17 @@ class Packet {
       : m_triangles(triangles), m_tree(tree), m_margin(margin), m_walks(walks), m_judge(judge) {}
 
   void add(size_t number, const TruthRay& ray, std::vector<TruthHit>& hits) {
-    if (const uint32_t signs = signsOf(ray.direction); signs != m_signs) {
-      walk();
+    const uint32_t signs = signsOf(ray.direction);
+    if (signs != m_signs) walk();
+    // To the sun all rays run alike.
+    if (signs != m_signs || ray.direction != m_direction) {
       m_signs = signs;
+      m_direction = ray.direction;
+      m_heading = Heading(ray.direction);
     }
     WalkRay& out = m_packet.rays[m_count];
-    m_searches[m_count].begin(m_triangles, ray, hits);
-    m_searches[m_count].setOut(m_margin, out);
+    m_searches[m_count].begin(m_triangles, ray, m_heading.shear, hits);
+    m_searches[m_count].setOut(m_margin, m_heading, out);
     m_numbers[m_count] = number;
     for (int axis = 0; axis < 3; ++axis) {
       m_packet.origin[axis][m_count] = out.origin[axis];
@@ -170,6 +185,8 @@ class Packet {
   std::array<Search, kPacket> m_searches;
   std::array<size_t, kPacket> m_numbers;
   WalkPacket m_packet;
+  glm::dvec3 m_direction = glm::dvec3(0);
+  Heading m_heading;  ///< of m_direction
   uint32_t m_signs = 0;
   uint32_t m_count = 0;
 };
@@ -185,10 +202,11 @@ void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& o
     Search search;
     const Judge& judge;
   } context{{}, judge};
-  context.search.begin(m_triangles, ray, out);
+  const Heading heading(ray.direction);
+  context.search.begin(m_triangles, ray, heading.shear, out);
   if (m_tree.empty()) return;
   WalkRay walked;
-  context.search.setOut(m_margin, walked);
+  context.search.setOut(m_margin, heading, walked);
   walks.ray(
       m_tree.view(), walked,
       [](void* self, uint32_t triangle, float before) {
@@ -214,7 +232,7 @@ void Bvh::hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
 void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                     const Judge& judge, std::vector<TruthHit>& out) {
   Search search;
-  search.begin(triangles, ray, out);
+  search.begin(triangles, ray, Shear<double>(ray.direction), out);
   for (uint32_t i = 0; i < triangles.size(); ++i) search.test(i, judge);
   search.finish();
 }
@@ -222,7 +240,7 @@ void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay&
 void Bvh::hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
                  const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) {
   Search search;
-  search.begin(triangles, ray, out);
+  search.begin(triangles, ray, Shear<double>(ray.direction), out);
   for (const uint32_t i : among) search.test(i, judge);
   search.finish();
 }

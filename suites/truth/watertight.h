@@ -14,24 +14,36 @@
 
 namespace sb {
 
-/// A ray in a space sheared to it. Scalar: double, or float to see what precision does.
+/// What shears a direction into the z axis. Scalar: double, or float to see what precision does.
 template <class Scalar>
-struct ShearedRay {
+struct Shear {
   using Vec = glm::vec<3, Scalar>;
   int kx, ky, kz;
-  Scalar ox, oy, oz;  ///< the origin, in their order
   Scalar sx, sy, sz;
 
-  ShearedRay() = default;
-  ShearedRay(const Vec& o, const Vec& d) {
+  Shear() = default;
+  explicit Shear(const Vec& d) {
     const Vec a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
-    ox = o[kx], oy = o[ky], oz = o[kz];
     sx = d[kx] / d[kz];
     sy = d[ky] / d[kz];
     sz = Scalar(1) / d[kz];
+  }
+};
+
+/// A ray in a space sheared to it.
+template <class Scalar>
+struct ShearedRay : Shear<Scalar> {
+  using Vec = glm::vec<3, Scalar>;
+  Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
+
+  ShearedRay() = default;
+  ShearedRay(const Vec& o, const Vec& d) : ShearedRay(o, Shear<Scalar>(d)) {}
+  ShearedRay(const Vec& o, const Shear<Scalar>& shear) : Shear<Scalar>(shear) {
+    const Scalar* origin = glm::value_ptr(o);
+    ox = origin[this->kx], oy = origin[this->ky], oz = origin[this->kz];
   }
 };
 
