@@ -3,7 +3,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -36,12 +35,6 @@ RTCBuildPrimitive boxOf(const TruthTriangle& triangle, uint32_t number, double m
           .upper_y = roundedUp(high.y),
           .upper_z = roundedUp(high.z),
           .primID = number};
-}
-
-/// As BoxNode::bounds. Box: RTCBounds or RTCBuildPrimitive.
-template <class Box>
-std::array<float, 6> floatsOf(const Box& b) {
-  return {b.lower_x, b.lower_y, b.lower_z, b.upper_x, b.upper_y, b.upper_z};
 }
 
 BuiltNode* newNode(RTCThreadLocalAllocator allocator) {
@@ -112,18 +105,9 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
   const auto layOut = [&](const auto& self, const BuiltNode& built) -> uint32_t {
     if (built.children == 0) {
       TriangleLeaf leaf;
-      const float none[6] = {HUGE_VALF, HUGE_VALF, HUGE_VALF, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-      std::ranges::copy(none, leaf.bounds);
       for (uint32_t t = 0; t < kLeafTriangles; ++t) {
         const bool present = t < built.triangles;
         leaf.triangle[t] = present ? built.triangle[t] : 0;
-        if (present) {
-          const auto box = floatsOf(boxOf(triangles[leaf.triangle[t]], 0, margin));
-          for (size_t k = 0; k < 3; ++k) {
-            leaf.bounds[k] = std::min(leaf.bounds[k], box[k]);
-            leaf.bounds[k + 3] = std::max(leaf.bounds[k + 3], box[k + 3]);
-          }
-        }
         for (int c = 0; c < 3; ++c)
           for (int axis = 0; axis < 3; ++axis)
             leaf.corner[c][axis][t] = present
@@ -139,7 +123,7 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
       const bool present = i < built.children;
       const RTCBounds none{HUGE_VALF, HUGE_VALF, HUGE_VALF, 0, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
       const RTCBounds& b = present ? built.bounds[i] : none;
-      const auto bounds = floatsOf(b);
+      const float bounds[6] = {b.lower_x, b.lower_y, b.lower_z, b.upper_x, b.upper_y, b.upper_z};
       for (uint32_t k = 0; k < 6; ++k) m_nodes[index].bounds[k][i] = bounds[k];
       const uint32_t child = present ? self(self, *built.child[i]) : 0;
       m_nodes[index].child[i] = child;

@@ -19,10 +19,9 @@ struct alignas(64) BoxNode {
   uint32_t child[kBoxes];   ///< number of a node, or kLeafChild | number of a leaf
 };
 
-struct alignas(32) TriangleLeaf {
+struct alignas(64) TriangleLeaf {
   double corner[3][3][kLeafTriangles];  ///< [corner][axis][triangle]; NaN in places without one
   uint32_t triangle[kLeafTriangles];
-  float bounds[6];  ///< as BoxNode::bounds
 };
 
 struct BoxTreeView {
