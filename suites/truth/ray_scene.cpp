@@ -278,15 +278,10 @@ class RayScene::Shadow {
 };
 
 dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
-                       std::vector<TruthHit>& scratch, double ownNear,
-                       std::optional<std::span<const uint32_t>> among) const {
+                       std::vector<TruthHit>& scratch, double ownNear) const {
   Shadow shadow;
   shadow.begin(*this, point, target, ownNear);
-  const auto judge = [&](const TruthHit& hit) { return shadow.judge(hit); };
-  if (among)
-    Bvh::hitsOf(m_triangles, *among, shadow.ray(), judge, scratch);
-  else
-    m_bvh->hits(shadow.ray(), judge, scratch);
+  m_bvh->hits(shadow.ray(), [&](const TruthHit& hit) { return shadow.judge(hit); }, scratch);
   return shadow.passed(scratch);
 }
 
