@@ -11,44 +11,23 @@
 namespace sb {
 namespace {
 
-/// All of a ray but where it starts.
-struct Heading {
-  Shear<double> shear;
-  float inverse[3];  ///< of the direction over its largest component
-  double length;     ///< its largest component
-
-  Heading() = default;
-  explicit Heading(const glm::dvec3& direction) : shear(direction) {
-    const double towards = glm::value_ptr(direction)[shear.kz];
-    const double side = std::copysign(1, towards);
-    length = std::abs(towards);
-    inverse[shear.kx] = inverseOf(side * shear.sx);
-    inverse[shear.ky] = inverseOf(side * shear.sy);
-    inverse[shear.kz] = float(side);
-  }
-
- private:
-  /// Components that are smaller shares of the largest one move nothing by a margin within the scene.
-  static constexpr float kLeastShare = 1e-18f;
-
-  static float inverseOf(double share) {
-    const float s = float(share);
-    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
-  }
-};
-
 /// One ray's search: tests triangles and keeps what the judge says.
 class Search {
  public:
-  /// In place: what is copied right after it was written, the CPU waits for.
+  /// In place: what is copied right after it was written, the CPU waits for. `alike`: a search in
+  /// the same direction, if there is one; its heading is taken over.
   void begin(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
-             const Shear<double>& shear, std::vector<TruthHit>& out) {
+             std::vector<TruthHit>& out, const Search* alike = nullptr) {
     m_triangles = triangles.data();
     m_ray = &ray;
-    m_sheared = ShearedRay<double>(ray.origin, shear);
     m_out = &out;
     m_nearest = std::numeric_limits<double>::infinity();
     m_stopped = false;
+    if (alike)
+      takeHeading(*alike);
+    else
+      head(ray.direction);
+    m_sheared.start(ray.origin);
     out.clear();
   }
 
@@ -76,8 +55,7 @@ class Search {
   }
 
   /// Sets out as the tree's walks take it. `margin`: that of the tree.
-  void setOut(double margin, const Heading& heading, WalkRay& ray) {
-    m_length = heading.length;
+  void setOut(double margin, WalkRay& ray) {
     m_slack = 2 * margin;
     ray.end = end(m_ray->tMax);
     ray.kx = m_sheared.kx, ray.ky = m_sheared.ky, ray.kz = m_sheared.kz;
@@ -86,7 +64,7 @@ class Search {
     ray.own = m_ray->own;
     for (int axis = 0; axis < 3; ++axis) {
       ray.origin[axis] = float(glm::value_ptr(m_ray->origin)[axis]);
-      ray.inverse[axis] = heading.inverse[axis];
+      ray.inverse[axis] = m_inverse[axis];
     }
   }
   /// How far to walk on, having walked to `before`.
@@ -100,11 +78,33 @@ class Search {
   /// Boxes that begin behind need not be entered.
   float end(double t) const { return float(t * m_length * (1 + 1e-5) + m_slack); }
 
+  void head(const glm::dvec3& direction) {
+    m_sheared.head(direction);
+    const double towards = glm::value_ptr(direction)[m_sheared.kz];
+    const double side = std::copysign(1, towards);
+    m_length = std::abs(towards);
+    m_inverse[m_sheared.kx] = inverseOf(side * m_sheared.sx);
+    m_inverse[m_sheared.ky] = inverseOf(side * m_sheared.sy);
+    m_inverse[m_sheared.kz] = float(side);
+  }
+  void takeHeading(const Search& other) {
+    m_sheared = other.m_sheared;
+    m_length = other.m_length;
+    std::ranges::copy(other.m_inverse, m_inverse);
+  }
+  /// Components that are smaller shares of the largest one move nothing by a margin within the scene.
+  static constexpr float kLeastShare = 1e-18f;
+  static float inverseOf(double share) {
+    const float s = float(share);
+    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
+  }
+
   const TruthTriangle* m_triangles;
   const TruthRay* m_ray;
   ShearedRay<double> m_sheared;
   std::vector<TruthHit>* m_out;
-  double m_length;  ///< of the direction: its largest component
+  float m_inverse[3];  ///< of the direction over its largest component
+  double m_length;     ///< the largest component
   double m_slack;
   double m_nearest;
   bool m_stopped;
@@ -137,15 +137,13 @@ class Packet {
   void add(size_t number, const TruthRay& ray, std::vector<TruthHit>& hits) {
     const uint32_t signs = signsOf(ray.direction);
     if (signs != m_signs) walk();
-    // To the sun all rays run alike.
-    if (signs != m_signs || ray.direction != m_direction) {
-      m_signs = signs;
-      m_direction = ray.direction;
-      m_heading = Heading(ray.direction);
-    }
+    m_signs = signs;
     WalkRay& out = m_packet.rays[m_count];
-    m_searches[m_count].begin(m_triangles, ray, m_heading.shear, hits);
-    m_searches[m_count].setOut(m_margin, m_heading, out);
+    // To the sun all rays run alike.
+    const bool alike = m_count > 0 && ray.direction == m_direction;
+    m_direction = ray.direction;
+    m_searches[m_count].begin(m_triangles, ray, hits, alike ? &m_searches[m_count - 1] : nullptr);
+    m_searches[m_count].setOut(m_margin, out);
     m_numbers[m_count] = number;
     for (int axis = 0; axis < 3; ++axis) {
       m_packet.origin[axis][m_count] = out.origin[axis];
@@ -185,8 +183,7 @@ class Packet {
   std::array<Search, kPacket> m_searches;
   std::array<size_t, kPacket> m_numbers;
   WalkPacket m_packet;
-  glm::dvec3 m_direction = glm::dvec3(0);
-  Heading m_heading;  ///< of m_direction
+  glm::dvec3 m_direction = glm::dvec3(0);  ///< of the last one
   uint32_t m_signs = 0;
   uint32_t m_count = 0;
 };
@@ -202,11 +199,10 @@ void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& o
     Search search;
     const Judge& judge;
   } context{{}, judge};
-  const Heading heading(ray.direction);
-  context.search.begin(m_triangles, ray, heading.shear, out);
+  context.search.begin(m_triangles, ray, out);
   if (m_tree.empty()) return;
   WalkRay walked;
-  context.search.setOut(m_margin, heading, walked);
+  context.search.setOut(m_margin, walked);
   walks.ray(
       m_tree.view(), walked,
       [](void* self, uint32_t triangle, float before) {
@@ -232,7 +228,7 @@ void Bvh::hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
 void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                     const Judge& judge, std::vector<TruthHit>& out) {
   Search search;
-  search.begin(triangles, ray, Shear<double>(ray.direction), out);
+  search.begin(triangles, ray, out);
   for (uint32_t i = 0; i < triangles.size(); ++i) search.test(i, judge);
   search.finish();
 }
@@ -240,7 +236,7 @@ void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay&
 void Bvh::hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
                  const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) {
   Search search;
-  search.begin(triangles, ray, Shear<double>(ray.direction), out);
+  search.begin(triangles, ray, out);
   for (const uint32_t i : among) search.test(i, judge);
   search.finish();
 }

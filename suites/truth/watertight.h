@@ -14,36 +14,33 @@
 
 namespace sb {
 
-/// What shears a direction into the z axis. Scalar: double, or float to see what precision does.
+/// A ray in a space sheared to it. Scalar: double, or float to see what precision does.
 template <class Scalar>
-struct Shear {
+struct ShearedRay {
   using Vec = glm::vec<3, Scalar>;
   int kx, ky, kz;
   Scalar sx, sy, sz;
+  Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
 
-  Shear() = default;
-  explicit Shear(const Vec& d) {
+  ShearedRay() = default;
+  ShearedRay(const Vec& o, const Vec& d) {
+    head(d);
+    start(o);
+  }
+  void head(const Vec& d) {
     const Vec a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
-    sx = d[kx] / d[kz];
-    sy = d[ky] / d[kz];
-    sz = Scalar(1) / d[kz];
+    const Scalar* direction = glm::value_ptr(d);
+    sx = direction[kx] / direction[kz];
+    sy = direction[ky] / direction[kz];
+    sz = Scalar(1) / direction[kz];
   }
-};
-
-/// A ray in a space sheared to it.
-template <class Scalar>
-struct ShearedRay : Shear<Scalar> {
-  using Vec = glm::vec<3, Scalar>;
-  Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
-
-  ShearedRay() = default;
-  ShearedRay(const Vec& o, const Vec& d) : ShearedRay(o, Shear<Scalar>(d)) {}
-  ShearedRay(const Vec& o, const Shear<Scalar>& shear) : Shear<Scalar>(shear) {
+  /// Having a heading already.
+  void start(const Vec& o) {
     const Scalar* origin = glm::value_ptr(o);
-    ox = origin[this->kx], oy = origin[this->ky], oz = origin[this->kz];
+    ox = origin[kx], oy = origin[ky], oz = origin[kz];
   }
 };
 
