@@ -80,9 +80,8 @@ class Search {
 
   void head(const glm::dvec3& direction) {
     m_sheared.head(direction);
-    const double towards = glm::value_ptr(direction)[m_sheared.kz];
-    const double side = std::copysign(1, towards);
-    m_length = std::abs(towards);
+    const double side = std::copysign(1, m_sheared.dz);
+    m_length = std::abs(m_sheared.dz);
     m_inverse[m_sheared.kx] = inverseOf(side * m_sheared.sx);
     m_inverse[m_sheared.ky] = inverseOf(side * m_sheared.sy);
     m_inverse[m_sheared.kz] = float(side);

@@ -72,24 +72,26 @@ Surface RayScene::surface(const TruthHit& hit) const {
   return {m_scene, m_traits, m_triangles[hit.triangle], hit};
 }
 
-TruthRay RayScene::cameraRay(double x, double y) const {
+void RayScene::aimCameraRay(double x, double y, TruthRay& ray) const {
   const Camera& c = m_scene.camera();
-  const glm::dmat3& axes = m_cameraAxes;
   const double aspect = double(m_width) / m_height;
   const double u = (2 * x / m_width - 1) * aspect, v = 2 * y / m_height - 1;
-  TruthRay ray{.origin = dvec3(0), .direction = dvec3(0), .tMin = c.nearPlane, .tMax = c.farPlane};
   // The direction's depth is 1: t is the depth that near and far planes cut.
   if (c.orthographic) {
-    ray.origin = axes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
-    ray.direction = axes * dvec3(0, 0, -1);
+    ray.origin = m_cameraAxes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
+    ray.direction = m_cameraAxes * dvec3(0, 0, -1);
   } else {
-    ray.direction = axes * dvec3(u * m_cameraTangent, v * m_cameraTangent, -1);
+    ray.origin = dvec3(0);
+    ray.direction = m_cameraAxes * dvec3(u * m_cameraTangent, v * m_cameraTangent, -1);
   }
-  return ray;
+  ray.tMin = c.nearPlane;
+  ray.tMax = c.farPlane;
+  ray.tie = kTieRange * m_reach;
 }
 
 MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, double to) const {
-  const TruthRay ray = cameraRay(x, y);
+  TruthRay ray;
+  aimCameraRay(x, y, ray);
   const double length = glm::length(ray.direction);
   return {ray.origin, ray.direction / length, from * length, to * length};
 }
@@ -118,8 +120,7 @@ void RayScene::cameraHits(std::span<const glm::dvec2> positions,
     std::array<TruthRay, kPacket> rays;
     std::array<const TruthRay*, kPacket> traced;
     for (size_t i = 0; i < count; ++i) {
-      rays[i] = cameraRay(positions[first + i].x, positions[first + i].y);
-      rays[i].tie = kTieRange * m_reach;
+      aimCameraRay(positions[first + i].x, positions[first + i].y, rays[i]);
       traced[i] = &rays[i];
       hits[i].swap(out[first + i]->hits);
     }
@@ -180,7 +181,8 @@ void RayScene::orderTies(std::vector<TruthHit>& hits, double range) const {
 }
 
 Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
-  const TruthRay ray = cameraRay(x, y);
+  TruthRay ray;
+  aimCameraRay(x, y, ray);
   const TruthTriangle& t = m_triangles[hit.triangle];
   const dvec3 n =
       glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));

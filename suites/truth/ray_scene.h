@@ -94,7 +94,7 @@ class RayScene {
   struct Plane {
     glm::dvec3 normal, ulp;
   };
-  TruthRay cameraRay(double x, double y) const;
+  void aimCameraRay(double x, double y, TruthRay& ray) const;
   Bvh::Verdict judgeForCamera(const TruthHit& hit) const;
   /// Of what a camera ray met, leaves what the eye sees.
   void endCameraHits(CameraHits& hits) const;

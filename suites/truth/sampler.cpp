@@ -50,13 +50,11 @@ void Sampler::find(std::span<Sampler> samplers, std::span<const glm::dvec2> posi
 float Sampler::reflected(size_t layer, uint32_t light) const {
   const Tracer::Point& point = m_layers[layer].point;
   const gpu::Illumination i = m_scene.illumination(light, point);
-  const Surface::Arrival arrival{i.toLight, i.radiance};
   const Surface surface = m_scene.surface(m_found.hits[layer]);
-  const auto shaded = [&](std::span<const Surface::Arrival> arrivals) {
-    return surface.shade(glm::vec3(point.position), glm::vec3(point.normal), glm::vec3(0),
-                         arrivals);
-  };
-  const glm::vec3 radiance = shaded(std::span(&arrival, 1)) - shaded({});
+  const Surface::Response response =
+      surface.response(glm::vec3(point.position), glm::vec3(point.normal));
+  const glm::vec3 own = surface.ownRadiance(response, glm::vec3(0));
+  const glm::vec3 radiance = own + response.reflected(i.toLight) * i.radiance - own;
   return std::max(0.0f, glm::dot(radiance, glm::vec3(0.2126f, 0.7152f, 0.0722f)));
 }
 

@@ -174,18 +174,20 @@ class Tracing {
 
   /// Grows a mask by kDilate pixels, corners included.
   void dilate(std::vector<uint8_t>& mask) const {
-    const int w = int(m_scene.width()), h = int(m_scene.height());
-    auto grow = [&](int count, int lines, int step, int lineStep) {
-      std::vector<uint8_t> line(size_t(count), 0);
-      for (int n = 0; n < lines; ++n) {
-        for (int i = 0; i < count; ++i) line[size_t(i)] = mask[size_t(n * lineStep + i * step)];
-        for (int i = 0; i < count; ++i)
-          for (int k = std::max(0, i - kDilate); k <= std::min(count - 1, i + kDilate); ++k)
-            mask[size_t(n * lineStep + i * step)] |= line[size_t(k)];
-      }
+    const auto w = std::ptrdiff_t(m_scene.width()), size = std::ptrdiff_t(mask.size());
+    // Whole rows are shifted onto one another; what would cross a row's end is not.
+    const auto grow = [&](std::ptrdiff_t step, std::ptrdiff_t row) {
+      const std::vector<uint8_t> old = mask;
+      for (std::ptrdiff_t first = 0; first < size; first += row)
+        for (std::ptrdiff_t k = -kDilate * step; k <= kDilate * step; k += step) {
+          const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, -k);
+          const std::ptrdiff_t end = std::min(row, row - k);
+          for (std::ptrdiff_t i = begin; i < end; ++i)
+            mask[size_t(first + i)] |= old[size_t(first + i + k)];
+        }
     };
-    grow(w, h, 1, w);
-    grow(h, w, w, 1);
+    grow(1, w);
+    grow(w, size);
   }
 
   const RayScene& m_scene;

@@ -19,7 +19,8 @@ template <class Scalar>
 struct ShearedRay {
   using Vec = glm::vec<3, Scalar>;
   int kx, ky, kz;
-  Scalar sx, sy, sz;
+  Scalar sx, sy;
+  Scalar dz;  ///< the direction along kz; its inverse scales z
   Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
 
   ShearedRay() = default;
@@ -33,9 +34,9 @@ struct ShearedRay {
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
     const Scalar* direction = glm::value_ptr(d);
-    sx = direction[kx] / direction[kz];
-    sy = direction[ky] / direction[kz];
-    sz = Scalar(1) / direction[kz];
+    dz = direction[kz];
+    sx = direction[kx] / dz;
+    sy = direction[ky] / dz;
   }
   /// Having a heading already.
   void start(const Vec& o) {
@@ -55,10 +56,11 @@ template <class Scalar>
 std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
                                              const std::array<glm::vec<3, Scalar>, 3>& triangle) {
   Scalar x[3], y[3], z[3];
+  const Scalar sz = Scalar(1) / ray.dz;
   for (int i = 0; i < 3; ++i) {
     const Scalar* corner = glm::value_ptr(triangle[size_t(i)]);
     const Scalar pz = corner[ray.kz] - ray.oz;
-    z[i] = ray.sz * pz;
+    z[i] = sz * pz;
     x[i] = corner[ray.kx] - ray.ox - ray.sx * pz;
     y[i] = corner[ray.ky] - ray.oy - ray.sy * pz;
   }
@@ -86,7 +88,7 @@ std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
   hit.b = e[1] * inverse;
   hit.c = e[2] * inverse;
   // Shearing keeps the handedness of (kx, ky, kz); the ray looks along +z or -z of it.
-  hit.front = (sum < 0) == (ray.sz > 0);
+  hit.front = (sum < 0) == (sz > 0);
   return hit;
 }
 
