@@ -232,12 +232,4 @@ void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay&
   search.finish();
 }
 
-void Bvh::hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
-                 const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out) {
-  Search search;
-  search.begin(triangles, ray, out);
-  for (const uint32_t i : among) search.test(i, judge);
-  search.finish();
-}
-
 }  // namespace sb

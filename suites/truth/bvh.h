@@ -49,11 +49,9 @@ class Bvh {
   /// Memory of the tree.
   uint64_t bytes() const { return m_tree.bytes(); }
 
-  /// The same by testing every triangle, or those `among` them alone.
+  /// The same by testing every triangle.
   static void hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                         const Judge& judge, std::vector<TruthHit>& out);
-  static void hitsOf(const std::vector<TruthTriangle>& triangles, std::span<const uint32_t> among,
-                     const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out);
 
  private:
   const std::vector<TruthTriangle>& m_triangles;
