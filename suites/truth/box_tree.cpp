@@ -56,8 +56,8 @@ void setBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
   for (unsigned i = 0; i < count; ++i) static_cast<BuiltNode*>(node)->bounds[i] = *bounds[i];
 }
 
-void* makeLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
-               size_t count, void*) {
+void* makeLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, size_t count,
+               void*) {
   BuiltNode* leaf = newNode(allocator);
   leaf->triangles = uint32_t(count);
   for (size_t i = 0; i < count; ++i) leaf->triangle[i] = primitives[i].primID;
@@ -99,8 +99,7 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
   if (triangles.empty()) return;
   std::vector<RTCBuildPrimitive> boxes;
   boxes.reserve(triangles.size());
-  for (uint32_t i = 0; i < triangles.size(); ++i)
-    boxes.push_back(boxOf(triangles[i], i, margin));
+  for (uint32_t i = 0; i < triangles.size(); ++i) boxes.push_back(boxOf(triangles[i], i, margin));
   const Building building;
   const auto layOut = [&](const auto& self, const BuiltNode& built) -> uint32_t {
     if (built.children == 0) {
@@ -110,9 +109,8 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
         leaf.triangle[t] = present ? built.triangle[t] : 0;
         for (int c = 0; c < 3; ++c)
           for (int axis = 0; axis < 3; ++axis)
-            leaf.corner[c][axis][t] = present
-                                          ? triangles[leaf.triangle[t]].corners[size_t(c)][axis]
-                                          : std::numeric_limits<double>::quiet_NaN();
+            leaf.corner[c][axis][t] = present ? triangles[leaf.triangle[t]].corners[size_t(c)][axis]
+                                              : std::numeric_limits<double>::quiet_NaN();
       }
       m_leaves.push_back(leaf);
       return kLeafChild | uint32_t(m_leaves.size() - 1);
@@ -121,7 +119,8 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
     m_nodes.emplace_back();
     for (uint32_t i = 0; i < kBoxes; ++i) {
       const bool present = i < built.children;
-      const RTCBounds none{HUGE_VALF, HUGE_VALF, HUGE_VALF, 0, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
+      const RTCBounds none{HUGE_VALF,  HUGE_VALF,  HUGE_VALF,  0,
+                           -HUGE_VALF, -HUGE_VALF, -HUGE_VALF, 0};
       const RTCBounds& b = present ? built.bounds[i] : none;
       const float bounds[6] = {b.lower_x, b.lower_y, b.lower_z, b.upper_x, b.upper_y, b.upper_z};
       for (uint32_t k = 0; k < 6; ++k) m_nodes[index].bounds[k][i] = bounds[k];

@@ -1,6 +1,6 @@
-// A tree of boxes over triangles as rays walk it: eight children a node, four triangles a leaf, laid
-// out for vector instructions. Built by Embree (surface area heuristic). Boxes are in float, rounded
-// outward; triangles in double, tested as suites/truth/watertight.h tests them.
+// A tree of boxes over triangles as rays walk it: eight children a node, four triangles a leaf,
+// laid out for vector instructions. Built by Embree (surface area heuristic). Boxes are in float,
+// rounded outward; triangles in double, tested as suites/truth/watertight.h tests them.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,8 @@
-// A ray's walk through a tree of boxes (box_tree.h). Kernels only sort out what cannot be met: boxes
-// with room for rounding, triangles by the very arithmetic of suites/truth/watertight.h. Which kernel
-// walks, and in which order, changes no answer. No headers with code in them: box_walk_avx2.cpp is
-// compiled for a newer CPU, and what it shares with others the linker might take from it.
+// A ray's walk through a tree of boxes (box_tree.h). Kernels only sort out what cannot be met:
+// boxes with room for rounding, triangles by the very arithmetic of suites/truth/watertight.h.
+// Which kernel walks, and in which order, changes no answer. No headers with code in them:
+// box_walk_avx2.cpp is compiled for a newer CPU, and what it shares with others the linker might
+// take from it.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,9 @@ constexpr uint32_t kTreeDepth = 40;
 constexpr uint32_t kPacket = 8;  ///< rays that walk together
 
 struct alignas(64) BoxNode {
-  float bounds[6][kBoxes];  ///< least x, y, z, greatest x, y, z; nothing meets a place without child
-  uint32_t child[kBoxes];   ///< number of a node, or kLeafChild | number of a leaf
+  float bounds[6]
+              [kBoxes];    ///< least x, y, z, greatest x, y, z; nothing meets a place without child
+  uint32_t child[kBoxes];  ///< number of a node, or kLeafChild | number of a leaf
 };
 
 struct alignas(64) TriangleLeaf {
@@ -40,7 +42,7 @@ struct WalkRay {
   uint32_t own;  ///< the triangle that is not asked for
 };
 
-/// Rays whose directions have the same signs.
+/// Rays whose directions have the same signs, side by side.
 struct alignas(32) WalkPacket {
   float origin[3][kPacket];
   float inverse[3][kPacket];

@@ -158,8 +158,8 @@ struct Interval {
   void add(float v) { low = v < low ? v : low, high = v > high ? v : high; }
 };
 
-/// Boxes are tested with all of the packet's rays at once, by intervals (no ray's own distance lies
-/// outside), and leaves' boxes with each ray.
+/// A node's boxes are tested with all of the packet's rays at once, by intervals that hold each
+/// ray's own distances; boxes that pass, with each ray.
 void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate candidate,
                 void* search) {
   const Floats zero{};
@@ -173,7 +173,7 @@ void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate can
     ends.add(packet.end[r]);
   }
   const Sides s([&](int axis) { return inverse[axis].low; });
-  // What is added to an interval's other end is farther: the box's near side from the nearer origin.
+  // Boxes are entered soonest from the origins nearest to them, and left last from the farthest.
   const auto at = [&](int axis, bool entering) {
     return zero + ((inverse[axis].low < 0) == entering ? origin[axis].low : origin[axis].high);
   };

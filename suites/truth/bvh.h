@@ -1,4 +1,4 @@
-// Which triangles a ray meets: a tree of boxes that Embree built (decision D7). Boxes are rounded
+// Which triangles a ray meets (decision D7): a tree of boxes that Embree built. Boxes are rounded
 // outward and widened by what turning a ray into floats can move it, so the tree never hides a
 // triangle that testing all of them would find; the test itself is ours and in double.
 #pragma once
@@ -37,8 +37,8 @@ class Bvh {
   /// search with it.
   enum class Verdict { Ignore, Keep, Nearest, Stop };
   using Judge = std::function<Verdict(const TruthHit&)>;
-  /// Hits in order of t, ties by triangle. The order in which `judge` is asked is not defined; after
-  /// Stop the result is that one hit. `walks` change no answer.
+  /// Hits in order of t, ties by triangle. The order in which `judge` is asked is not defined;
+  /// after Stop the result is that one hit. `walks` change no answer.
   void hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out,
             const BoxWalks& walks = bestWalks()) const;
   /// The same of up to kPacket rays, told by their numbers: cheaper where they run side by side.

@@ -150,8 +150,8 @@ LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point
                                              const AreaSampling& sampling, Scratch& scratch,
                                              double ownNear) const {
   if (!isArea(light))
-    return {.visible = m_scene.passed(point, m_scene.target(light, point.position), scratch.hits,
-                                      ownNear),
+    return {.visible =
+                m_scene.passed(point, m_scene.target(light, point.position), scratch.hits, ownNear),
             .rays = 1};
   Question question(*this, light, point, scratch, ownNear);
   if (question.patch().inside) return {.undefined = true};

@@ -37,8 +37,8 @@ class RayScene {
   };
   /// The light's centre.
   Target target(uint32_t light, const glm::dvec3& position) const;
-  /// Product of what each surface and medium between lets through; 0 at the first opaque one. `ownNear`: the
-  /// receiver's own instance does not count within that distance.
+  /// Product of what each surface and medium between lets through; 0 at the first opaque one.
+  /// `ownNear`: the receiver's own instance does not count within that distance.
   glm::dvec3 passed(const Tracer::Point& point, const Target& target,
                     std::vector<TruthHit>& scratch, double ownNear = 0) const;
   /// A shadow ray, and what `passed` gives for it.

@@ -113,8 +113,8 @@ class Tracing {
     for (uint32_t i = 0; i < centres.size(); ++i) {
       middles[i] = {x + i + 0.5, y + 0.5};
       for (uint32_t c = 0; c < 4; ++c)
-        corners[4 * i + c] = middles[i] + glm::dvec2(c & 1 ? kOffset : -kOffset,
-                                                     c & 2 ? kOffset : -kOffset);
+        corners[4 * i + c] =
+            middles[i] + glm::dvec2(c & 1 ? kOffset : -kOffset, c & 2 ? kOffset : -kOffset);
     }
     Sampler::find(centres, std::span(middles).first(centres.size()), m_settings.sampling);
     Sampler::find(beside, std::span(corners).first(beside.size()), m_coarse);

@@ -20,7 +20,7 @@ struct ShearedRay {
   using Vec = glm::vec<3, Scalar>;
   int kx, ky, kz;
   Scalar sx, sy;
-  Scalar dz;  ///< the direction along kz; its inverse scales z
+  Scalar dz;          ///< the direction along kz; its inverse scales z
   Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
 
   ShearedRay() = default;

@@ -57,8 +57,7 @@ inline std::vector<TruthTriangle> grid(int size) {
 
 inline bool same(const std::vector<TruthHit>& a, const std::vector<TruthHit>& b) {
   return std::ranges::equal(a, b, [](const TruthHit& x, const TruthHit& y) {
-    return x.t == y.t && x.b == y.b && x.c == y.c && x.triangle == y.triangle &&
-           x.front == y.front;
+    return x.t == y.t && x.b == y.b && x.c == y.c && x.triangle == y.triangle && x.front == y.front;
   });
 }
 
