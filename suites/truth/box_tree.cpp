@@ -11,13 +11,17 @@
 namespace sb {
 namespace {
 
-/// A node as Embree makes it; leaves have no children.
-struct BuiltNode {
-  RTCBounds bounds[kBoxes];
-  const BuiltNode* child[kBoxes];
+/// As Embree makes them; leaves have no children.
+struct Built {
   uint32_t children = 0;
-  uint32_t triangle[kLeafTriangles];
+};
+struct BuiltLeaf : Built {
   uint32_t triangles = 0;
+  uint32_t triangle[kLeafTriangles];
+};
+struct BuiltNode : Built {
+  RTCBounds bounds[kBoxes];
+  const Built* child[kBoxes];
 };
 
 float roundedDown(double v) { return std::nextafter(float(v), -HUGE_VALF); }
@@ -37,31 +41,32 @@ RTCBuildPrimitive boxOf(const TruthTriangle& triangle, uint32_t number, double m
           .primID = number};
 }
 
-BuiltNode* newNode(RTCThreadLocalAllocator allocator) {
-  return new (rtcThreadLocalAlloc(allocator, sizeof(BuiltNode), 16)) BuiltNode;
-}
-
+// Nodes and leaves are handed through Embree as what they have in common.
 void* makeNode(RTCThreadLocalAllocator allocator, unsigned children, void*) {
-  BuiltNode* node = newNode(allocator);
+  void* place = rtcThreadLocalAlloc(allocator, sizeof(BuiltNode), alignof(BuiltNode));
+  Built* node = new (place) BuiltNode;
   node->children = children;
   return node;
 }
 
+BuiltNode& nodeAt(void* node) { return *static_cast<BuiltNode*>(static_cast<Built*>(node)); }
+
 void setChildren(void* node, void** children, unsigned count, void*) {
   for (unsigned i = 0; i < count; ++i)
-    static_cast<BuiltNode*>(node)->child[i] = static_cast<const BuiltNode*>(children[i]);
+    nodeAt(node).child[i] = static_cast<const Built*>(children[i]);
 }
 
 void setBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
-  for (unsigned i = 0; i < count; ++i) static_cast<BuiltNode*>(node)->bounds[i] = *bounds[i];
+  for (unsigned i = 0; i < count; ++i) nodeAt(node).bounds[i] = *bounds[i];
 }
 
 void* makeLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, size_t count,
                void*) {
-  BuiltNode* leaf = newNode(allocator);
+  void* place = rtcThreadLocalAlloc(allocator, sizeof(BuiltLeaf), alignof(BuiltLeaf));
+  auto* leaf = new (place) BuiltLeaf;
   leaf->triangles = uint32_t(count);
   for (size_t i = 0; i < count; ++i) leaf->triangle[i] = primitives[i].primID;
-  return leaf;
+  return static_cast<Built*>(leaf);
 }
 
 /// What Embree made, until it is laid out.
@@ -69,7 +74,7 @@ struct Building {
   RTCDevice device = rtcNewDevice(nullptr);
   RTCBVH bvh = device ? rtcNewBVH(device) : nullptr;
 
-  const BuiltNode* build(std::vector<RTCBuildPrimitive>& boxes) const {
+  const Built* build(std::vector<RTCBuildPrimitive>& boxes) const {
     RTCBuildArguments args = rtcDefaultBuildArguments();
     args.maxBranchingFactor = kBoxes;
     args.maxDepth = kTreeDepth;
@@ -82,7 +87,7 @@ struct Building {
     args.setNodeChildren = setChildren;
     args.setNodeBounds = setBounds;
     args.createLeaf = makeLeaf;
-    const auto* root = bvh ? static_cast<const BuiltNode*>(rtcBuildBVH(&args)) : nullptr;
+    const auto* root = bvh ? static_cast<const Built*>(rtcBuildBVH(&args)) : nullptr;
     if (root) return root;
     throw std::runtime_error("Embree: no tree: error " +
                              std::to_string(int(rtcGetDeviceError(device))));
@@ -101,9 +106,13 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
   boxes.reserve(triangles.size());
   for (uint32_t i = 0; i < triangles.size(); ++i) boxes.push_back(boxOf(triangles[i], i, margin));
   const Building building;
-  const auto layOut = [&](const auto& self, const BuiltNode& built) -> uint32_t {
-    if (built.children == 0) {
-      TriangleLeaf leaf;
+  m_leaves.reserve(triangles.size() / 2 +
+                   1);  // hardly ever more, and what is not used costs nothing
+  const auto layOut = [&](const auto& self, const Built& any) -> uint32_t {
+    if (any.children == 0) {
+      const auto& built = static_cast<const BuiltLeaf&>(any);
+      const auto index = uint32_t(m_leaves.size());
+      TriangleLeaf& leaf = m_leaves.emplace_back();
       for (uint32_t t = 0; t < kLeafTriangles; ++t) {
         const bool present = t < built.triangles;
         leaf.triangle[t] = present ? built.triangle[t] : 0;
@@ -112,9 +121,9 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
             leaf.corner[c][axis][t] = present ? triangles[leaf.triangle[t]].corners[size_t(c)][axis]
                                               : std::numeric_limits<double>::quiet_NaN();
       }
-      m_leaves.push_back(leaf);
-      return kLeafChild | uint32_t(m_leaves.size() - 1);
+      return kLeafChild | index;
     }
+    const auto& built = static_cast<const BuiltNode&>(any);
     const auto index = uint32_t(m_nodes.size());
     m_nodes.emplace_back();
     for (uint32_t i = 0; i < kBoxes; ++i) {
