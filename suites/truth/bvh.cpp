@@ -128,7 +128,8 @@ void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay&
                     const Judge& judge, std::vector<TruthHit>& out) {
   RaySearch search;
   search.begin(triangles, ray, out);
-  for (uint32_t i = 0; i < triangles.size(); ++i) search.test(i, judge);
+  for (uint32_t i = 0; i < triangles.size(); ++i)
+    if (i != ray.own) search.test(i, judge);
   search.finish();
 }
 

@@ -33,7 +33,7 @@ class RaySearch {
 
   template <class Judge>
   void test(uint32_t index, const Judge& judge) {
-    if (m_stopped || index == m_ray->own) return;
+    if (m_stopped) return;
     const auto hit = intersect(m_sheared, m_triangles[index].corners);
     if (!hit || !(hit->t > m_ray->tMin) || !(hit->t < m_ray->tMax) || hit->t > m_nearest) return;
     const TruthHit found{hit->t, hit->b, hit->c, index, hit->front};

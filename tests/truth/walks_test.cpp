@@ -99,6 +99,21 @@ TEST(TruthWalks, NeighboursMeetTheSame) {
   EXPECT_GT(expectSame(triangles, rays, 1, keepAll), 1000u);
 }
 
+TEST(TruthWalks, TrianglesSmallerThanFloatsCanTellAreMet) {
+  Pcg random(21);
+  std::vector<TruthTriangle> triangles;
+  std::vector<TruthRay> rays;
+  for (int i = 0; i < 500; ++i) {
+    const dvec3 at = randomPoint(random, 1);
+    TruthTriangle& t = triangles.emplace_back();
+    for (auto& corner : t.corners) corner = at + randomPoint(random, i % 2 ? 1e-7 : 1e-10);
+    const dvec3 middle = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0;
+    const dvec3 from = randomPoint(random, 1);
+    rays.push_back({.origin = from, .direction = (middle - from) * (i % 3 + 0.7), .tMax = 2});
+  }
+  EXPECT_GT(expectSame(triangles, rays, 1, keepAll), 450u);
+}
+
 TEST(TruthWalks, RaysInPlanesAlongEdgesAndThroughCornersMeetTheSame) {
   const auto triangles = grid(3);
   Pcg random(6);
