@@ -57,7 +57,7 @@ std::vector<std::string> missingCells(const Figure& figure, const Run& run) {
 std::vector<std::string> backendsOf(const std::vector<const Record*>& records) {
   std::vector<std::string> out;
   for (const Record* r : records)
-    if (!std::ranges::count(out, r->backend)) out.push_back(r->backend);
+    if (!std::ranges::count(out, r->id.backend)) out.push_back(r->id.backend);
   return out;
 }
 

@@ -37,7 +37,7 @@ Records sideRecords(const Figure& figure, const FigureSide& side, const std::str
                     const Records& all) {
   Records out;
   for (const Record* r : all)
-    if (r->backend == backend && matchesRegex(side.cells, r->name) &&
+    if (r->id.backend == backend && matchesRegex(side.cells, r->name) &&
         (!side.at || xOf(figure, *r) == *side.at))
       out.push_back(r);
   return out;

@@ -60,7 +60,7 @@ Capture captureShadowMap(const Scene& scene, const rhi::ShaderLibrary& shaders,
     FrameQueries queries(*device);
     Stage stage(scene, size);
     const auto renderer = stage.renderer({*device, shaders, pipelines, queries},
-                                         rendererDesc("ShadowMap", "Sorted", {}, size));
+                                         rendererDesc({.technique = "ShadowMap", .width = size.width, .height = size.height}));
     renderer->frame();
     recorder.finish(*device);
   }

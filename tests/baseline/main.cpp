@@ -71,7 +71,7 @@ int run(const std::string& api, const std::string& quads, int pairs) {
   FrameQueries queries(*device);
   Stage stage(scene, size);
   const auto renderer = stage.renderer({*device, shaders, pipelines, queries},
-                                       rendererDesc("ShadowMap", "Sorted", {}, size));
+                                       rendererDesc({.technique = "ShadowMap", .width = size.width, .height = size.height}));
   auto drawByHand = [&](Times& times) {
     times.measure([&] { byHand->submit(); }, [&] { byHand->wait(); });
   };

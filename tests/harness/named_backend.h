@@ -45,7 +45,6 @@ class NamedBackend final : public rhi::Backend {
 
 inline CellId smallCell(const std::string& technique, const std::string& backend) {
   return {.technique = technique,
-          .transparency = "Sorted",
           .backend = backend,
           .scene = "layers",
           .width = 16,

@@ -19,13 +19,8 @@ Record cell(const std::string& technique, const std::string& backend, int quads,
             double precision = 0) {
   const std::string scene = "spheres_quads:quads=" + std::to_string(quads);
   Record r{
+      .id = {.technique = technique, .backend = backend, .scene = scene, .width = 64, .height = 64},
       .name = technique + "/" + backend + "/" + scene + "/64x64",
-      .technique = technique,
-      .transparency = "Sorted",
-      .backend = backend,
-      .scene = scene,
-      .width = 64,
-      .height = 64,
       .timeSource = "software",
       .cpu = Distribution{.median = ms},
       .passes = {{.label = "shadow map", .count = 2, .draws = 7}, {.label = "opaque", .draws = 3}},
@@ -109,7 +104,7 @@ TEST(Figures, XIsAParameterOfTheSceneAKnobOrTheDefault) {
   Figure f = scaling({}, {});
   Record r = cell("A", "vulkan", 100, 1);
   const auto x = [&](const std::string& scene) {
-    r.scene = scene;
+    r.id.scene = scene;
     return xOf(f, r);
   };
   EXPECT_EQ(x("s:quads=250"), 250);
@@ -118,7 +113,7 @@ TEST(Figures, XIsAParameterOfTheSceneAKnobOrTheDefault) {
   EXPECT_EQ(x("s?sun:quads=4"), 200);
   EXPECT_EQ(sceneWithoutX(f, r), "s?sun:quads=4");
   const auto rest = [&](const std::string& scene) {
-    r.scene = scene;
+    r.id.scene = scene;
     return sceneWithoutX(f, r);
   };
   EXPECT_EQ(rest("s:quads=1"), "s");
@@ -204,7 +199,7 @@ TEST(Figures, MeansOverDifferentCellsAreNotCompared) {
   const StatementResult result = evaluate(f, less("value"), run);
   EXPECT_EQ(result.verdict, FigureVerdict::Reproduced);
   EXPECT_EQ(result.found, "time, ms: 2 < 4 (opengl)");
-  std::erase_if(run.records, [](const Record& r) { return r.backend == "opengl"; });
+  std::erase_if(run.records, [](const Record& r) { return r.id.backend == "opengl"; });
   EXPECT_EQ(evaluate(f, less("value"), run).why,
             "A/vulkan/spheres_quads:quads=200/64x64 is not in this run");
   // Of a backend that was not measured nothing is said while there is another.

@@ -53,9 +53,10 @@ TEST_F(Html, HostileTextStaysText) {
   run.warnings = {bad};
   for (Record& r : run.records) {
     for (std::string* text :
-         {&r.name, &r.technique, &r.transparency, &r.backend, &r.device, &r.deviceType, &r.driver,
-          &r.scene, &r.stoppedBy, &r.reason, &r.command})
+         {&r.name, &r.id.technique, &r.id.transparency, &r.id.lights, &r.id.backend, &r.id.scene,
+          &r.device, &r.deviceType, &r.driver, &r.stoppedBy, &r.reason, &r.command})
       *text = bad;
+    r.id.knobs = {{bad, bad}};
     r.warnings = r.contamination = {bad};
     r.knobs = {{bad, bad}};
     r.bytesByLabel = {{bad, 1}};
@@ -241,9 +242,9 @@ TEST_F(Html, TheQuickSuiteStaysBelowTenMegabytes) {
   uint32_t picture = 0;
   for (int cell = 0; cell < 24; ++cell) {
     Record r = sample.records[0];
-    r.scene = "scene" + std::to_string(cell % 4);
-    r.width = r.height = 256;
-    r.name = r.technique + "/" + r.backend + "/" + r.scene + "/256x256";
+    r.id.scene = "scene" + std::to_string(cell % 4);
+    r.id.width = r.id.height = 256;
+    r.name = cellName(r.id);
     // The truth is the scene's.
     r.pictures["truth"] = "abc" + std::to_string(cell % 4);
     for (const char* role : {"image", "error", "blame"})

@@ -49,7 +49,7 @@ TEST(JsonRead, ValuesArriveInTheirFields) {
   ASSERT_EQ(run.records.size(), 4u);
   const Record& r = run.records[0];
   EXPECT_EQ(r.name, "ShadowMap/vulkan/layers/64x32");
-  EXPECT_EQ(r.seed, 4294967295u);
+  EXPECT_EQ(r.id.seed, 4294967295u);
   EXPECT_EQ(r.blocks.size(), 2u);
   EXPECT_EQ(r.blocks[1].cpuMs, 4);
   EXPECT_EQ(r.cpu->q3, 5.5);

@@ -12,7 +12,7 @@ namespace {
 /// A sweep with noise, one cell behind it, the baseline, the tracer, and a device with one cell.
 report::Run sweep() {
   report::Run run;
-  run.records = {cell("none", 2, 0.5),
+  run.records = {baseline(2, 0.5),
                  cell("CSSM2", 4, 0.08, "1024"),
                  cell("CSSM2", 2.5, 0.2, "256"),
                  cell("CSSM2", 3, 0.1, "512"),
@@ -26,7 +26,7 @@ report::Run sweep() {
   card.backend = "opengl";
   card.device = "card";
   card.deviceType = "discrete";
-  Record disturbed = cell("none", 1, 0.5);
+  Record disturbed = baseline(1, 0.5);
   disturbed.contamination = {"other programs"};
   run.records.push_back(card);
   run.records.push_back(disturbed);
