@@ -44,6 +44,9 @@ CellId parseTechniques(const std::string& text) {
       id.transparency.find('+') != id.transparency.npos)
     throw InputError("--technique",
                      "found '" + text + "', expected TECHNIQUE[+TRANSPARENCY][@LIGHTS]");
+  if (isReference(id))
+    throw InputError("--technique", "found '" + text + "', expected " + id.technique +
+                                        " alone: it traces, and needs no technique beside it");
   techniquesOf(id);
   return id;
 }

@@ -117,6 +117,15 @@ TEST_F(JournalTest, TheLastLineOfACellCounts) {
   EXPECT_EQ(readJournal(m_path).cells.at(r.id).warnings, std::vector<std::string>{"second"});
 }
 
+// Names of files need not be UTF-8, which lines of JSON are.
+TEST_F(JournalTest, CellsOfAnyFileFindTheirBlocks) {
+  CellId cell = kA;
+  cell.scene = "a\xff\x1b[31m.glb";
+  { Journal(m_path, header()).block(recordedId(cell), block(1)); }
+  EXPECT_TRUE(readJournal(m_path).blocks.contains(recordedId(cell)));
+  EXPECT_EQ(cellName(recordedId(cell)), cellName(cell));
+}
+
 TEST_F(JournalTest, OneRunAtATimeWritesIt) {
   EXPECT_FALSE(isJournalInUse(m_path));
   {

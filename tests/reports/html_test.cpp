@@ -185,6 +185,18 @@ TEST_F(Html, RunsWithoutErrorsOrCellsAreWhole) {
   EXPECT_NE(page(run).find("The run has no cells."), std::string::npos);
 }
 
+TEST_F(Html, TechniquesAreToldByAllThatDrawsThemAndTheBaselineIsGrey) {
+  Results run = sampleRun();
+  run.records.resize(2);
+  run.records[0].role = Role::Baseline;
+  run.records[1].id.lights = "Clustered";
+  const std::string text = markup(page(run));
+  EXPECT_NE(text.find("<span class=\"technique tn\">ShadowMap</span>"), std::string::npos);
+  EXPECT_NE(text.find("<span class=\"technique t0\">ShadowMap@Clustered</span>"),
+            std::string::npos);
+  EXPECT_NE(text.find("data-technique=\"ShadowMap@Clustered\""), std::string::npos);
+}
+
 TEST_F(Html, HardCasesHaveVerdictsDetailsAndCurves) {
   Results run;
   StabilityRecord r{.id = "G2",

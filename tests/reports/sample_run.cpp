@@ -7,6 +7,7 @@ Record identity(const std::string& technique, const std::string& backend) {
   Record r = {.id = {.technique = technique,
                      .backend = backend,
                      .scene = "layers",
+                     .knobs = {{"size", "1024"}},
                      .width = 64,
                      .height = 32,
                      .seed = 4294967295u},
