@@ -294,6 +294,11 @@ Run fromJson(const std::string& text, const std::string& fileName) {
     for (const Field& field : cases->items()) run.stability.push_back(readStability(field));
   if (const auto figures = root.find("figures"))
     for (const Field& field : figures->items()) run.figures.push_back(readFigure(field));
+  // Files from before figures said it: of what was measured the records know.
+  for (Figure& figure : run.figures)
+    for (FigureCell& cell : figure.cells)
+      for (const Record& r : run.records)
+        if (cell.backend.empty() && r.name == cell.name) cell.backend = r.id.backend;
   return run;
 }
 

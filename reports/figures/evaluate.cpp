@@ -68,8 +68,9 @@ std::optional<Measured> valueOf(const Figure& figure, const std::string& of,
 bool isWhole(const Figure& figure, const FigureSide& side, const std::string& backend,
              const Records& found) {
   if (side.at) return !found.empty();  // names do not say every cell's x
-  const auto expected = std::ranges::count_if(figure.cells, [&](const std::string& name) {
-    return name.find("/" + backend + "/") != name.npos && matchesRegex(side.cells, name);
+  const auto expected = std::ranges::count_if(figure.cells, [&](const FigureCell& cell) {
+    return (cell.backend == backend || cell.backend.empty()) &&
+           matchesRegex(side.cells, cell.name);
   });
   return std::ssize(found) == expected;
 }

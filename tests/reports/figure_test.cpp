@@ -56,7 +56,7 @@ Figure scaling(const Results& run, const std::vector<FigureStatement>& statement
            .document = "It says <so>.",
            .statements = statements,
            .stated = {}};
-  for (const Record& r : run.records) f.cells.push_back(r.name);
+  for (const Record& r : run.records) f.cells.push_back({r.name, r.id.backend});
   return f;
 }
 
@@ -232,7 +232,7 @@ TEST(Figures, AreReadBackWholeAndShownWithoutTheSuite) {
   number.left.at = 100;
   Figure f = scaling(run, {less("slope"), less("slope", 3), number});
   f.stated = {{.cells = "^A/", .passes = "three", .attachments = "two depths", .bytes = "12 MB"}};
-  f.cells.push_back("C/vulkan/spheres_quads/64x64");
+  f.cells.push_back({"C/vulkan/spheres_quads/64x64", "vulkan"});
   run.figures = {f};
   f.kind = FigureKind::Resources;
   run.figures.push_back(f);
@@ -254,6 +254,19 @@ TEST(Figures, AreReadBackWholeAndShownWithoutTheSuite) {
                            "1 cell is missing of 13", "two depths; 12 MB", "data-curve=\"3\""})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("data-curve=\"4\""), std::string::npos);
+}
+
+TEST(Figures, OldFilesDoNotSayTheBackendsOfCells) {
+  Results run = twoLines();
+  run.figures = {scaling(run, {less("value")})};
+  for (FigureCell& cell : run.figures[0].cells) cell.backend.clear();
+  const Results back = fromJson(toJson(run), "a.json");
+  EXPECT_EQ(back.figures[0].cells, scaling(run, {}).cells);
+  // What was not measured may be of any: nothing is compared without it.
+  run.records.erase(run.records.begin());
+  const Results less = fromJson(toJson(run), "a.json");
+  EXPECT_EQ(evaluate(less.figures[0], less.figures[0].statements[0], less).verdict,
+            FigureVerdict::NotMeasured);
 }
 
 TEST(Figures, MistakesInTheFileAreNamed) {
