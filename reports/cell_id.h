@@ -20,10 +20,10 @@ inline constexpr const char* kDefaultLights = "AllLights";
 inline constexpr const char* kTracerBackend = "cpu";
 
 struct CellId {
-  std::string technique;                        ///< "CSSM2"
-  std::string transparency = kDefaultTransparency;   ///< "DepthPeeling"
-  std::string lights = kDefaultLights;               ///< the loop over lights
-  std::string backend;                          ///< "vulkan", "opengl", "opengl-osmesa"
+  std::string technique;                            ///< "CSSM2"
+  std::string transparency = kDefaultTransparency;  ///< "DepthPeeling"
+  std::string lights = kDefaultLights;              ///< the loop over lights
+  std::string backend;                              ///< "vulkan", "opengl", "opengl-osmesa"
   std::string scene;  ///< canonical: "spheres_quads:quads=500" or a file's path
   /// Names and values of those that are not at their defaults, in the order of their declaration;
   /// values canonical.
@@ -41,7 +41,8 @@ std::string techniqueName(const std::string& technique, const std::string& trans
 std::string techniqueName(const CellId& id);
 
 /// TECHNIQUE[+TRANSPARENCY][@LIGHTS]/backend/scene:params/knob:value.../WxH; default values left
-/// out; the seed stands as "seed:N" behind the knobs when it is not 0. Fit for a line of a terminal.
+/// out; the seed stands as "seed:N" behind the knobs when it is not 0. Fit for a line of a
+/// terminal.
 std::string cellName(const CellId& id);
 
 /// What a row of the results is.

@@ -59,8 +59,8 @@ struct Figure {
   std::string id;  ///< "5.3.A-D"
   std::string title;
   FigureKind kind = FigureKind::Pictures;
-  std::vector<FigureCell> cells;  ///< all that belong to it, measured or not
-  std::string x;                  ///< parameter of the scene or knob; of scaling
+  std::vector<FigureCell> cells;   ///< all that belong to it, measured or not
+  std::string x;                   ///< parameter of the scene or knob; of scaling
   double xFallback = 0;            ///< where a cell's name leaves it out
   std::string document;            ///< what the document shows and says, in our words
   std::vector<FigureStatement> statements;

@@ -62,7 +62,7 @@ enum class Status : uint8_t { Ok, Skipped, Failed };
 
 struct Record {
   // identity
-  CellId id;  ///< its scene as base::printable() gives it
+  CellId id;         ///< its scene as base::printable() gives it
   std::string name;  ///< cellName(id)
   Role role = Role::Technique;
   std::string device, deviceType, driver, sceneHash;

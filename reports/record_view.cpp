@@ -2,14 +2,11 @@
 
 namespace report {
 
-std::string techniqueOf(const Record& r) {
-  return techniqueName(r.id);
-}
+std::string techniqueOf(const Record& r) { return techniqueName(r.id); }
 
 std::string variantOf(const CellId& id) {
   std::string text;
-  for (const auto& [knob, value] : id.knobs)
-    text += (text.empty() ? "" : " ") + knob + ":" + value;
+  for (const auto& [knob, value] : id.knobs) text += (text.empty() ? "" : " ") + knob + ":" + value;
   if (id.seed != 0) text += (text.empty() ? "seed:" : " seed:") + std::to_string(id.seed);
   return text;
 }

@@ -69,8 +69,7 @@ bool isWhole(const Figure& figure, const FigureSide& side, const std::string& ba
              const Records& found) {
   if (side.at) return !found.empty();  // names do not say every cell's x
   const auto expected = std::ranges::count_if(figure.cells, [&](const FigureCell& cell) {
-    return (cell.backend == backend || cell.backend.empty()) &&
-           matchesRegex(side.cells, cell.name);
+    return (cell.backend == backend || cell.backend.empty()) && matchesRegex(side.cells, cell.name);
   });
   return std::ssize(found) == expected;
 }

@@ -113,8 +113,7 @@ std::string cards(const PageModel& model, const Figure& figure, PictureSet& pict
     if (!r->pictures.contains("image")) continue;
     const auto same = std::ranges::find_if(groups, [&](const auto& g) {
       return g.front()->pictures == r->pictures && techniqueOf(*g.front()) == techniqueOf(*r) &&
-             variantOf(g.front()->id) == variantOf(r->id) &&
-             g.front()->id.scene == r->id.scene;
+             variantOf(g.front()->id) == variantOf(r->id) && g.front()->id.scene == r->id.scene;
     });
     if (same == groups.end())
       groups.push_back({r});

@@ -122,8 +122,8 @@ std::string galleryHtml(const PageModel& model, const ScenePart& part, const Htm
                 "</div></article>\n";
     }
     const auto group = std::ranges::find_if(groups, [&](const auto& g) {
-      return techniqueOf(*g.front()) == techniqueOf(r) && variantOf(g.front()->id) == variantOf(r.id) &&
-             g.front()->pictures == r.pictures;
+      return techniqueOf(*g.front()) == techniqueOf(r) &&
+             variantOf(g.front()->id) == variantOf(r.id) && g.front()->pictures == r.pictures;
     });
     if (group == groups.end())
       groups.push_back({&r});

@@ -76,7 +76,7 @@ struct TradeOff {
   uint32_t width = 0, height = 0;
   ErrorKind kind = ErrorKind::Visibility;
   std::string timeKey;             ///< "cpu_ms" or "frame_ms"
-  std::optional<double> baseline;  ///< least time of a baseline, with or without error; milliseconds
+  std::optional<double> baseline;  ///< least time of one, with or without error; milliseconds
   /// TECHNIQUE[+TRANSPARENCY][@LIGHTS], in order of appearance.
   std::vector<std::string> techniques;
   std::vector<TradePoint> points;    ///< cells that are ok, not contaminated, and have an error

@@ -149,7 +149,9 @@ void addCommon(CLI::App& app, Options& o) {
 CLI::App* addReport(CLI::App& app, Options& o) {
   CLI::App* report =
       app.add_subcommand("report", "write the HTML page of results (no device needed)");
-  report->add_option("results", o.report.results, "what --json wrote")->required()->type_name("FILE.json");
+  report->add_option("results", o.report.results, "what --json wrote")
+      ->required()
+      ->type_name("FILE.json");
   report->add_option("--output,-o", o.files.html, "the page [FILE.html]")->type_name("FILE");
   report->add_option("--pictures", o.report.pictures, "folder of the pictures [FILE.pictures]")
       ->type_name("DIR");

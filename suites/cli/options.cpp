@@ -76,8 +76,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       ->type_name("PREFIX");
   render->add_flag(
       "--visibility", o.picture.visibility,
-      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on four "
-      "layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
+      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on "
+      "four layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
   addExposure(*render, o);
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
@@ -86,7 +86,8 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       ->type_name("SCENE");
   addFileOptions(*scene, o);
   scene->add_flag("--json", o.scene.json, "as JSON");
-  scene->add_option("--export", o.scene.exportFile, "write the scene as a .glb file")->type_name("FILE");
+  scene->add_option("--export", o.scene.exportFile, "write the scene as a .glb file")
+      ->type_name("FILE");
 
   CLI::App* truth =
       app.add_subcommand("truth", "write the ray-traced truth of a scene: its picture and "
@@ -99,8 +100,10 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   truth->add_flag("!--no-cache", o.cache.used, "trace anew, and keep nothing");
   truth->add_flag("--quiet", o.quiet, "no progress line");
   CLI::App* cache = app.add_subcommand("cache", "say how many truths and unfinished runs are kept on disk, and where");
-  cache->add_flag("--clear", o.cache.clear, "remove them: the truths, and journals of runs that ended early (not those beside a "
-                  "--json file, nor of runs under way)");
+  cache->add_flag(
+      "--clear", o.cache.clear,
+      "remove them: the truths, and journals of runs that ended early (not those beside a "
+      "--json file, nor of runs under way)");
 
   CLI::App* doctor =
       app.add_subcommand("doctor", "list devices, drivers, features and timer facts");

@@ -63,7 +63,7 @@ struct SceneOptions {
 
 /// What the command `report` reads.
 struct ReportOptions {
-  std::string results;  ///< JSON
+  std::string results;   ///< JSON
   std::string pictures;  ///< folder; "": beside it
 };
 

@@ -46,7 +46,7 @@ int reportCommand(const Options& options) {
   if (html.empty()) html = fs::path(json).replace_extension(".html");
   requireWritable("--output", html);
   const fs::path pictures = options.report.pictures.empty() ? report::picturesBeside(json)
-                                                          : fs::path(options.report.pictures);
+                                                            : fs::path(options.report.pictures);
   std::error_code error;
   if (!options.report.pictures.empty() && !fs::is_directory(pictures, error))
     throw InputError("--pictures", "found no folder '" + pictures.string() + "'");

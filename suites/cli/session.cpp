@@ -118,16 +118,18 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
   JournalHeader h{.arguments = options.arguments,
                   .folder = fs::current_path().string(),
                   .program = run.version + " " + run.commit + " " + run.buildType};
-  h.settings = {{"budget", base::numberText(settings.budgetSeconds)},
-                {"precision", base::numberText(settings.stop.precision)},
-                {"repetitions", std::to_string(settings.stop.repetitions)},
-                {"seeds", std::to_string(settings.judge.seeds)},
-                {"truth", settings.judge.enabled ? "yes" : "no"},
-                {"exposure", settings.judge.exposure
-                                 ? base::numberText(double(*settings.judge.exposure))
-                                 : "automatic"},
-                {"validation", options.device.validate ? "yes" : "no"},
-                {"shaders", options.device.shaderFolder.empty() ? "built-in" : folderIdentity(options.device.shaderFolder)}};
+  h.settings = {
+      {"budget", base::numberText(settings.budgetSeconds)},
+      {"precision", base::numberText(settings.stop.precision)},
+      {"repetitions", std::to_string(settings.stop.repetitions)},
+      {"seeds", std::to_string(settings.judge.seeds)},
+      {"truth", settings.judge.enabled ? "yes" : "no"},
+      {"exposure",
+       settings.judge.exposure ? base::numberText(double(*settings.judge.exposure)) : "automatic"},
+      {"validation", options.device.validate ? "yes" : "no"},
+      {"shaders", options.device.shaderFolder.empty()
+                      ? "built-in"
+                      : folderIdentity(options.device.shaderFolder)}};
   if (const std::string width = vectorWidth(); !width.empty()) h.settings["vector width"] = width;
   std::set<std::string> backends;
   for (const CellId& cell : cells) {

@@ -188,7 +188,8 @@ class Group {
     for (const std::string& why : {whyRefused(record), whyImplausible(a.samples(), a.software())})
       if (!why.empty()) return report::refuse(record, why);
     // Nobody asks how wrong a companion is.
-    if (!result.companion) m_judge.judge(a.subject(), result.id, result.picture, record, result.files);
+    if (!result.companion)
+      m_judge.judge(a.subject(), result.id, result.picture, record, result.files);
   }
 
   void tellVerified(const CellResult& result) {

@@ -17,7 +17,7 @@ namespace sb {
 
 struct CellResult {
   CellId id;
-  bool companion = false;   ///< see GroupCell
+  bool companion = false;  ///< see GroupCell
   report::Record record;
   report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
   PictureFiles files;       ///< of Record::pictures

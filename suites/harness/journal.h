@@ -1,11 +1,12 @@
-// What a run has found so far, on disk at once: a line of JSON for what the run is, and one for each
-// block, finished cell and hard case. A run that ends early, by Ctrl-C or `kill -9`, goes on from it
+// What a run has found so far, on disk at once: a line of JSON for what the run is, and one for
+// each block, finished cell and hard case. A run that ends early, by Ctrl-C or `kill -9`, goes on
+// from it
 // (`--resume`): nothing is measured twice. Pictures lie beside it and are written before the line
 // that names them.
 //   {"journal":2, "arguments":[..], "folder":.., "program":.., "settings":{..}, "scenes":{..},
 //    "devices":{..}, "cells":[..], "hard_cases":[..]}
-//   {"block":{"cell":{"technique":.., ..}, "frames":[[wall, cpu, record, submit, device or null, passes,
-//    draws, dispatches, triangles], ..]}}
+//   {"block":{"cell":{"technique":.., ..}, "frames":[[wall, cpu, record, submit, device or null,
+//    passes, draws, dispatches, triangles], ..]}}
 //   {"cell":[entries as in the results]}      the last line of a cell counts
 //   {"hard_case":{..}}
 #pragma once

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "suites/scenes/procedural/procedural.h"

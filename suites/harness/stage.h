@@ -1,5 +1,6 @@
-// The one way from a scene to frames: analysed for the picture's shape, put once on each device that
-// draws it, drawn by a technique of each kind. Cells, hard cases, `bench render` and tests go this way.
+// The one way from a scene to frames: analysed for the picture's shape, put once on each device
+// that draws it, drawn by a technique of each kind. Cells, hard cases, `bench render` and tests go
+// this way.
 #pragma once
 
 #include <map>
@@ -11,8 +12,8 @@
 
 namespace sb {
 
-/// The techniques of a cell with the values of their knobs, its size and its seed. Throws InputError
-/// on a bad knob.
+/// The techniques of a cell with the values of their knobs, its size and its seed. Throws
+/// InputError on a bad knob.
 RendererDesc rendererDesc(const CellId& id);
 
 /// A scene made ready for all the cells of one size that draw it, on any device.

@@ -1,4 +1,5 @@
-// One cell of the matrix, ready to render: a technique of each kind on a scene view of a device. Made outside timed regions; `frame` is what is measured.
+// One cell of the matrix, ready to render: a technique of each kind on a scene view of a device.
+// Made outside timed regions; `frame` is what is measured.
 #pragma once
 
 #include <map>

@@ -40,8 +40,9 @@ struct TechniqueInfo {
   std::vector<KnobInfo> knobs;
   std::string error;  ///< what its error is by construction (spec 16's table)
   bool stochastic = false;
-  bool baseline = false;  ///< of shadow techniques one: without shadows, what costs are told against
-  bool tracer = false;    ///< the truth's own, which draws on no device and is in no registry
+  bool baseline =
+      false;            ///< of shadow techniques one: without shadows, what costs are told against
+  bool tracer = false;  ///< the truth's own, which draws on no device and is in no registry
   /// Hard cases (suites/stability) that it does not pass by construction, and why: by id, or by
   /// "id knob:value" for one variant.
   std::map<std::string, std::string> breaksIn;

@@ -164,9 +164,10 @@ TEST_F(JournalTest, ALineThatWasCutOffIsLeftOutAndWrittenOver) {
 
 TEST_F(JournalTest, WhatIsNoJournalIsRefused) {
   EXPECT_NE(errorOf().find("found no journal"), std::string::npos);
-  const std::string first = "{\"journal\":2,\"arguments\":[],\"folder\":\"\",\"program\":\"\","
-                            "\"settings\":{},\"scenes\":{},\"devices\":{},\"cells\":[],"
-                            "\"hard_cases\":[]}\n";
+  const std::string first =
+      "{\"journal\":2,\"arguments\":[],\"folder\":\"\",\"program\":\"\","
+      "\"settings\":{},\"scenes\":{},\"devices\":{},\"cells\":[],"
+      "\"hard_cases\":[]}\n";
   const std::pair<std::string, std::string> kWrong[] = {
       {"", "holds nothing"},
       {"{}", "holds nothing"},
@@ -174,7 +175,8 @@ TEST_F(JournalTest, WhatIsNoJournalIsRefused) {
       {"{\"journal\":1}\n", "run.journal:1: journal: found 1"},
       {first + "x\n" + first, "run.journal:2: found no JSON"},
       {first + "{\"cell\":[]}\n", "run.journal:2: cell"},
-      {first + "{\"block\":{\"cell\":" + std::string(kCell) + ",\"frames\":[[1]]}}\n", "nine numbers"},
+      {first + "{\"block\":{\"cell\":" + std::string(kCell) + ",\"frames\":[[1]]}}\n",
+       "nine numbers"},
       {first + "{\"block\":{\"cell\":\"a\",\"frames\":[]}}\n", "run.journal:2: block.cell"},
       {first + "{\"other\":1}\n", "run.journal:2"},
   };

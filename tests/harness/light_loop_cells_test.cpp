@@ -55,13 +55,13 @@ std::vector<std::string> namesOf(const std::vector<CellId>& cells) {
 using Names = std::vector<std::string>;
 
 TEST(LightLoopCells, NamesSayTheLoopUnlessItIsTheDefault) {
-  const auto cells = select({.techniques = {"CSSM2@AllLights", "CSSM2@TestLoop",
-                                            "CSSM2+DepthPeeling@TestLoop", "CSSM2"},
-                             .backends = {"vulkan"},
-                             .scenes = {"layers"}});
-  EXPECT_EQ(namesOf(cells), (Names{"CSSM2/vulkan/layers/512x512",
-                                   "CSSM2@TestLoop/vulkan/layers/512x512",
-                                   "CSSM2+DepthPeeling@TestLoop/vulkan/layers/512x512"}));
+  const auto cells = select(
+      {.techniques = {"CSSM2@AllLights", "CSSM2@TestLoop", "CSSM2+DepthPeeling@TestLoop", "CSSM2"},
+       .backends = {"vulkan"},
+       .scenes = {"layers"}});
+  EXPECT_EQ(namesOf(cells),
+            (Names{"CSSM2/vulkan/layers/512x512", "CSSM2@TestLoop/vulkan/layers/512x512",
+                   "CSSM2+DepthPeeling@TestLoop/vulkan/layers/512x512"}));
   EXPECT_EQ(cells[0].lights, kDefaultLights);
   EXPECT_EQ(cells[2].lights, kTestLoop);
   EXPECT_EQ(cells[2].transparency, "DepthPeeling");
@@ -109,11 +109,11 @@ TEST(LightLoopCells, TheLoopHasKnobsOfItsOwn) {
                              .backends = {"vulkan"},
                              .scenes = {"layers"},
                              .sets = {"reach=4,8.0", "size=512"}});
-  EXPECT_EQ(namesOf(cells), (Names{"none/vulkan/layers/512x512",
-                                   "none@TestLoop/vulkan/layers/512x512",
-                                   "none@TestLoop/vulkan/layers/reach:8/512x512",
-                                   "ShadowMap@TestLoop/vulkan/layers/size:512/512x512",
-                                   "ShadowMap@TestLoop/vulkan/layers/size:512/reach:8/512x512"}));
+  EXPECT_EQ(namesOf(cells),
+            (Names{"none/vulkan/layers/512x512", "none@TestLoop/vulkan/layers/512x512",
+                   "none@TestLoop/vulkan/layers/reach:8/512x512",
+                   "ShadowMap@TestLoop/vulkan/layers/size:512/512x512",
+                   "ShadowMap@TestLoop/vulkan/layers/size:512/reach:8/512x512"}));
   try {
     select({.techniques = {"none"}, .sets = {"reach=8"}});
     FAIL() << "a knob that nothing has";
@@ -135,15 +135,15 @@ TEST(LightLoopCells, CostsAreToldAgainstTheSameLoop) {
 TEST(LightLoopCells, AllThreeAreAskedWhatTheyRepresentAndNeed) {
   const CellId id{.technique = "ShadowMap", .lights = kTestLoop};
   EXPECT_TRUE(representedBy(techniquesOf(id)).has(Effect::ParticipatingMedia));
-  EXPECT_FALSE(representedBy(techniquesOf({.technique = "ShadowMap"})).has(Effect::ParticipatingMedia));
+  EXPECT_FALSE(
+      representedBy(techniquesOf({.technique = "ShadowMap"})).has(Effect::ParticipatingMedia));
   const auto device = null_backend::makeBackend()->open({});
   const auto why = [&](const CellId& cell, EffectSet present = {}) {
     const auto skip = unsupported(*device, techniquesOf(cell), cellKnobs(cell), present);
     return skip ? skip->reason : "";
   };
   EXPECT_EQ(why(id), "");
-  EXPECT_EQ(why({.technique = "ShadowMap", .lights = kNeedyLoop}),
-            "the device lacks presentation");
+  EXPECT_EQ(why({.technique = "ShadowMap", .lights = kNeedyLoop}), "the device lacks presentation");
   TechniqueInfo sometimes{.name = "Sometimes"};
   sometimes.requiresFor[Effect::LocalLights] = rhi::Feature::Presentation;
   TechniqueSet set = techniquesOf(id);
@@ -170,6 +170,7 @@ TEST(LightLoopCells, RecordsCarryTheLoopItsKnobsAndItsRefusals) {
   for (size_t i = 0; i < 7; ++i) EXPECT_EQ(results[i].companion, i > 3);
   const CellResult& baseline = results[5];
   EXPECT_EQ(baseline.record.name, "none@TestLoop/vulkan/layers/reach:8/16x16");
+  EXPECT_EQ(baseline.record.role, report::Role::Baseline);
   const report::Record& r = results[1].record;
   ASSERT_EQ(r.status, report::Status::Ok) << r.reason;
   EXPECT_EQ(r.name, "ShadowMap@TestLoop/vulkan/layers/reach:8/16x16");
@@ -196,9 +197,10 @@ TEST(LightLoopCells, HardCasesAskALoopWithoutShadows) {
     names.insert(jobName(job));
   EXPECT_TRUE(names.contains("G1/none@TestLoop/vulkan"));
   EXPECT_FALSE(names.contains("G1/CSSM2@TestLoop/vulkan"));
-  const auto jobs = stabilityJobs(
-      {.techniques = {"CSSM2@TestLoop"}, .cases = {"G1"}, .backends = {"vulkan"},
-       .variants = {{{"reach", "8"}}}});
+  const auto jobs = stabilityJobs({.techniques = {"CSSM2@TestLoop"},
+                                   .cases = {"G1"},
+                                   .backends = {"vulkan"},
+                                   .variants = {{{"reach", "8"}}}});
   ASSERT_EQ(jobs.size(), 1u);
   EXPECT_EQ(jobs[0].lights, kTestLoop);
   EXPECT_EQ(jobName(jobs[0]), "G1/CSSM2@TestLoop/reach:8/vulkan");
@@ -209,9 +211,8 @@ TEST(Roles, OneTechniqueIsTheBaselineAndTheTracerIsNone) {
   for (const ShadowEntry* t : shadowTechniques()) {
     baselines += t->info.baseline;
     EXPECT_FALSE(t->info.tracer) << t->info.name;
-    EXPECT_EQ(roleOf({.technique = t->info.name}), t == &baselineTechnique()
-                                                       ? report::Role::Baseline
-                                                       : report::Role::Technique);
+    EXPECT_EQ(roleOf({.technique = t->info.name}),
+              t == &baselineTechnique() ? report::Role::Baseline : report::Role::Technique);
   }
   EXPECT_EQ(baselines, 1u);
   EXPECT_EQ(baselineTechnique().info.name, "none");

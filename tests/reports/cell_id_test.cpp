@@ -23,11 +23,11 @@ CellId sample() {
 
 TEST(CellId, EveryFieldTellsCellsApart) {
   const std::vector<void (*)(CellId&)> changes = {
-      [](CellId& id) { id.technique = "CSSM1"; },  [](CellId& id) { id.transparency = "X"; },
-      [](CellId& id) { id.lights = "Clustered"; }, [](CellId& id) { id.backend = "opengl"; },
-      [](CellId& id) { id.scene = "layers"; },     [](CellId& id) { id.knobs.pop_back(); },
+      [](CellId& id) { id.technique = "CSSM1"; },   [](CellId& id) { id.transparency = "X"; },
+      [](CellId& id) { id.lights = "Clustered"; },  [](CellId& id) { id.backend = "opengl"; },
+      [](CellId& id) { id.scene = "layers"; },      [](CellId& id) { id.knobs.pop_back(); },
       [](CellId& id) { id.knobs[1].second = "5"; }, [](CellId& id) { id.width = 65; },
-      [](CellId& id) { id.height = 65; },          [](CellId& id) { id.seed = 0; }};
+      [](CellId& id) { id.height = 65; },           [](CellId& id) { id.seed = 0; }};
   std::map<CellId, std::string> cells = {{sample(), cellName(sample())}};
   std::set<std::string> names = {cellName(sample())};
   for (const auto change : changes) {

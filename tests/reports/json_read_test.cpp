@@ -97,8 +97,7 @@ TEST(JsonRead, OldFilesSayNeitherLoopNorRoleNorWhatWasChanged) {
   ASSERT_EQ(back.size(), 3u);
   EXPECT_EQ(back[0].id.lights, kDefaultLights);
   EXPECT_EQ(back[0].id.transparency, kDefaultTransparency);
-  EXPECT_EQ(back[0].id.knobs,
-            (decltype(back[0].id.knobs){{"kernel", "3"}, {"size", "1024"}}));
+  EXPECT_EQ(back[0].id.knobs, (decltype(back[0].id.knobs){{"kernel", "3"}, {"size", "1024"}}));
   EXPECT_EQ(back[0].role, Role::Technique);
   EXPECT_EQ(back[1].role, Role::Baseline);
   EXPECT_EQ(back[2].role, Role::Tracer);

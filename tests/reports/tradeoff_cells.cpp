@@ -4,7 +4,8 @@ namespace report {
 
 Record cell(const std::string& technique, double time, double error, const std::string& size) {
   Record r;
-  r.id = {.technique = technique, .backend = "vulkan", .scene = "layers", .width = 64, .height = 32};
+  r.id = {
+      .technique = technique, .backend = "vulkan", .scene = "layers", .width = 64, .height = 32};
   r.device = "llvmpipe";
   r.deviceType = "software";
   if (!size.empty()) {

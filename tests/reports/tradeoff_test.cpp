@@ -144,7 +144,8 @@ TEST(TradeOff, TransparenciesAndLoopsOverLightsAreToldApart) {
       .records = {a, with(a, [](Record& r) { r.id.transparency = "Weighted"; }),
                   with(a, [](Record& r) { r.id.lights = "Clustered"; }), tracer(9)}};
   const TradeOff t = std::move(tradeOffs(run).at(0));
-  EXPECT_EQ(t.techniques, (std::vector<std::string>{"A", "A+Weighted", "A@Clustered", "RayTraced"}));
+  EXPECT_EQ(t.techniques,
+            (std::vector<std::string>{"A", "A+Weighted", "A@Clustered", "RayTraced"}));
 }
 
 TEST(TradeOff, FrontIsWhatNothingDominates) {
@@ -179,9 +180,8 @@ TEST(TradeOff, UncertainNeedsOneThatMayBeBetterInBothAtOnce) {
 }
 
 TEST(TradeOff, EqualTimeTakesTheLeastErrorWithinMultiplesOfTheBaseline) {
-  const report::Run run = {.records = {baseline(2, 0.5), cell("A", 4, 0.25),
-                                       cell("A", 8.5, 0.1), cell("A", 7, 0.3),
-                                       cell("B", 33, 0.01)}};
+  const report::Run run = {.records = {baseline(2, 0.5), cell("A", 4, 0.25), cell("A", 8.5, 0.1),
+                                       cell("A", 7, 0.3), cell("B", 33, 0.01)}};
   const TradeOff t = std::move(tradeOffs(run).at(0));
   EXPECT_EQ(t.baseline, 2.0);
   EXPECT_EQ(t.techniques, (std::vector<std::string>{"none", "A", "B"}));
