@@ -176,6 +176,7 @@ PhysicalDevice describe(VkPhysicalDevice handle, uint32_t index) {
   }
   properties.pNext = &driver;
   vkGetPhysicalDeviceProperties2(handle, &properties);
+  d.isLavapipe = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
   d.info.driver = driver.driverName;
   d.info.driverVersion = driver.driverInfo;
 

@@ -36,6 +36,7 @@ struct PhysicalDevice {
   uint32_t queueFamily = 0;
   bool core13 = false;  ///< else dynamic rendering and synchronization2 are extensions
   bool withInterlock = false;
+  bool isLavapipe = false;  ///< Mesa's software driver
   FeatureChain features;  ///< to be enabled, not linked
   std::vector<const char*> extensions;
 };

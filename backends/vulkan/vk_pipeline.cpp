@@ -4,6 +4,7 @@
 
 #include "backends/vulkan/vk_enums.h"
 #include "backends/vulkan/vk_formats.h"
+#include "backends/vulkan/vk_lavapipe_blocks.h"
 
 namespace vulkan {
 namespace {
@@ -50,10 +51,13 @@ class Stages {
   }
 
   void add(const rhi::ShaderCode& code, std::span<const rhi::SpecConstant> constants) {
+    const std::vector<uint32_t> spirv = m_context.physical().isLavapipe
+                                            ? indexUniformBlocks(code.spirv, code.stage)
+                                            : code.spirv;
     const VkShaderModuleCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-        .codeSize = code.spirv.size() * sizeof(uint32_t),
-        .pCode = code.spirv.data(),
+        .codeSize = spirv.size() * sizeof(uint32_t),
+        .pCode = spirv.data(),
     };
     VkShaderModule module = VK_NULL_HANDLE;
     check(m_context.vk.vkCreateShaderModule(m_context.device, &info, nullptr, &module),

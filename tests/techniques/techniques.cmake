@@ -22,6 +22,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/steady_frames_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stochastic_shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
   ${CMAKE_CURRENT_LIST_DIR}/translucent_shadows_test.cpp
