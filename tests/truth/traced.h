@@ -11,7 +11,7 @@ inline Truth traced(const Scene& scene, uint32_t size = 64, unsigned threads = 0
 }
 
 inline void expectNear(const glm::dvec3& found, const glm::dvec3& expected, double tolerance,
-                       const char* what) {
+                       const char* what = "channel") {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << what << " " << c;
 }
 
