@@ -180,12 +180,13 @@ SceneTraits::SceneTraits(const Scene& scene) {
   }
 }
 
-Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect)
-    : scene(s), eye(camera.eye()), view(camera, aspect) {
-  for (const Instance& instance : scene.instances) {
+Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, double aspect)
+    : placed(p), scene(p.scene()), eye(p.camera().eye()), view(p.camera(), aspect) {
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes.at(instance.mesh);
     AnalysedInstance& a = instances.emplace_back();
-    a.box = instanceBox(scene, instance, eye);
+    a.box = transformedBox(mesh.boundsMin, mesh.boundsMax, placed.toWorld(i), eye);
     a.traits = traits.materials[mesh.material];
     a.visible = !mesh.indices.empty() && view.mayShow(a.box);
     a.lit = !scene.materials[mesh.material].unlit;
@@ -198,7 +199,7 @@ Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& came
     m.scatters = medium.albedo != glm::vec3(0);
   }
   if (media.empty()) return;
-  const ViewVolume before(uncut(camera, media), aspect);
+  const ViewVolume before(uncut(placed.camera(), media), aspect);
   mediaView = before.bounds();
   for (AnalysedMedium& medium : media) medium.visible = before.mayShow(medium.box);
 }
@@ -223,10 +224,10 @@ Effects analyseView(const Analysis& a) {
 
 Effects analyse(const Scene& scene, double aspect) {
   const SceneTraits traits(scene);
-  if (scene.path.empty()) return analyseView(Analysis(scene, traits, scene.camera(), aspect));
+  if (scene.path.empty()) return analyseView(Analysis(scene, traits, aspect));
   std::vector<Effects> steps;
-  for (const Camera& camera : scene.path)
-    steps.push_back(analyseView(Analysis(scene, traits, camera, aspect)));
+  for (uint32_t k = 0; k < scene.path.size(); ++k)
+    steps.push_back(analyseView(Analysis(PlacedScene(scene, k), traits, aspect)));
   return uniteSteps(std::move(steps));
 }
 

@@ -8,8 +8,8 @@
 
 namespace sb {
 
-/// Analyses `scene` for pictures of `aspect` = width / height through its first camera, or through
-/// all cameras of its path.
+/// Analyses `scene` for pictures of `aspect` = width / height through its first camera, at all
+/// steps of its path.
 Effects analyse(const Scene& scene, double aspect);
 
 }  // namespace sb

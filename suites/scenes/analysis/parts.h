@@ -6,6 +6,7 @@
 #include "suites/scenes/analysis/light_reach.h"
 #include "techniques/plan/effects.h"
 #include "techniques/scene/optics.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 
@@ -27,7 +28,7 @@ struct AnalysedMedium {
   bool scatters = false;
 };
 
-/// What does not depend on the camera.
+/// What does not depend on where anything is.
 struct SceneTraits {
   explicit SceneTraits(const Scene& scene);
   std::vector<MaterialTraits> materials;
@@ -35,7 +36,8 @@ struct SceneTraits {
 };
 
 struct Analysis {
-  Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, double aspect);
+  Analysis(const PlacedScene& p, const SceneTraits& traits, double aspect);
+  PlacedScene placed;
   const Scene& scene;
   glm::dvec3 eye;
   ViewVolume view;
@@ -44,7 +46,7 @@ struct Analysis {
   Bounds mediaView;  ///< around what of media is before the camera
 };
 
-/// What the scene calls for through one camera.
+/// What the scene calls for at one step.
 Effects analyseView(const Analysis& analysis);
 /// What a path calls for, of the analyses of its steps.
 Effects uniteSteps(std::vector<Effects> steps);
