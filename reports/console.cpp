@@ -101,7 +101,7 @@ std::string legend(const Run& run) {
   for (const Record& r : run.records) {
     if (r.status != Status::Ok) continue;
     devices.insert(
-        fmt::format("{}: {} ({}), driver {}", r.backend, r.device, r.deviceType, r.driver));
+        fmt::format("{}: {} ({}), driver {}", r.id.backend, r.device, r.deviceType, r.driver));
     sources.insert(r.timeSource);
     ++ok;
     byBudget += r.stoppedBy == "budget";
@@ -135,7 +135,7 @@ std::string unshown(const Run& run) {
   for (const Record& r : run.records) {
     if (r.status != Status::Ok) continue;
     const std::set<std::string> here(r.effectsUnrepresented.begin(), r.effectsUnrepresented.end());
-    const auto [scene, isNew] = lacking.try_emplace(r.scene, here);
+    const auto [scene, isNew] = lacking.try_emplace(r.id.scene, here);
     if (!isNew) std::erase_if(scene->second, [&](const auto& e) { return !here.contains(e); });
   }
   std::string out;

@@ -22,7 +22,8 @@ std::string tableText(const Figure& figure, const Run& run) {
     if (c.number) rows[0].push_back(c.title);
   for (const FigureRow& row : table.rows) {
     const Record& r = *row.record;
-    rows.push_back({techniqueOf(r) + "/" + r.backend + (row.label.empty() ? "" : " " + row.label)});
+    rows.push_back(
+        {techniqueOf(r) + "/" + r.id.backend + (row.label.empty() ? "" : " " + row.label)});
     for (size_t i = 0; i < row.entries.size(); ++i)
       if (table.columns[i].number) rows.back().push_back(row.entries[i].text);
   }

@@ -7,17 +7,15 @@
 namespace report {
 
 std::string CellNames::shown(const Record& record) {
-  const std::string& scene = record.scene;
-  const size_t at = record.name.find(scene);
-  if (scene.size() <= kMostOfScene || at == std::string::npos) return record.name;
+  const std::string& scene = record.id.scene;
+  if (scene.size() <= kMostOfScene) return record.name;
   auto known = std::ranges::find(m_scenes, scene);
   if (known == m_scenes.end()) known = m_scenes.insert(known, scene);
   const std::string file = scene.substr(0, scene.find('?'));
-  std::string name = record.name;
-  name.replace(at, scene.size(),
-               fmt::format("{}[{}]", file.substr(file.rfind('/') + 1),  // npos + 1 is 0
-                           known - m_scenes.begin() + 1));
-  return name;
+  CellId id = record.id;
+  id.scene = fmt::format("{}[{}]", file.substr(file.rfind('/') + 1),  // npos + 1 is 0
+                         known - m_scenes.begin() + 1);
+  return cellName(id);
 }
 
 std::string CellNames::legend() const {

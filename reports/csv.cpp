@@ -175,6 +175,12 @@ std::string knobText(const Record& r) {
   return joined(parts);
 }
 
+std::string changedText(const Record& r) {
+  std::vector<std::string> parts;
+  for (const auto& [knob, value] : r.id.knobs) parts.push_back(knob);
+  return joined(parts);
+}
+
 std::string skippedText(const Record& r) {
   std::vector<std::string> parts;
   for (const auto& [effect, why] : r.effectsSkipped) parts.push_back(effect);
@@ -185,18 +191,21 @@ std::vector<Column> makeColumns() {
   std::vector<Column> c;
   auto add = [&](const char* name, auto value) { c.push_back({name, value}); };
   add("name", [](const Record& r) { return r.name; });
-  add("technique", [](const Record& r) { return r.technique; });
-  add("transparency", [](const Record& r) { return r.transparency; });
-  add("backend", [](const Record& r) { return r.backend; });
+  add("technique", [](const Record& r) { return r.id.technique; });
+  add("transparency", [](const Record& r) { return r.id.transparency; });
+  add("lights", [](const Record& r) { return r.id.lights; });
+  add("role", [](const Record& r) { return std::string(roleName(r.role)); });
+  add("backend", [](const Record& r) { return r.id.backend; });
   add("device", [](const Record& r) { return r.device; });
   add("device_type", [](const Record& r) { return r.deviceType; });
   add("driver", [](const Record& r) { return r.driver; });
-  add("scene", [](const Record& r) { return r.scene; });
+  add("scene", [](const Record& r) { return r.id.scene; });
   add("scene_hash", [](const Record& r) { return r.sceneHash; });
-  add("width", [](const Record& r) { return std::to_string(r.width); });
-  add("height", [](const Record& r) { return std::to_string(r.height); });
+  add("width", [](const Record& r) { return std::to_string(r.id.width); });
+  add("height", [](const Record& r) { return std::to_string(r.id.height); });
   add("knobs", knobText);
-  add("seed", [](const Record& r) { return std::to_string(r.seed); });
+  add("knobs_changed", changedText);
+  add("seed", [](const Record& r) { return std::to_string(r.id.seed); });
   add("version", [](const Record& r) { return r.version; });
   add("effects_planned", [](const Record& r) { return joined(r.effectsPlanned); });
   add("effects_skipped", skippedText);

@@ -48,11 +48,18 @@ struct FigureStated {
   std::string passes, attachments, bytes;
 };
 
+/// A cell of a figure, measured or not.
+struct FigureCell {
+  std::string name;
+  std::string backend;  ///< "": not known, of what an old file lacks
+  bool operator==(const FigureCell&) const = default;
+};
+
 struct Figure {
   std::string id;  ///< "5.3.A-D"
   std::string title;
   FigureKind kind = FigureKind::Pictures;
-  std::vector<std::string> cells;  ///< names of all that belong to it, measured or not
+  std::vector<FigureCell> cells;   ///< all that belong to it, measured or not
   std::string x;                   ///< parameter of the scene or knob; of scaling
   double xFallback = 0;            ///< where a cell's name leaves it out
   std::string document;            ///< what the document shows and says, in our words

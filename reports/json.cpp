@@ -33,18 +33,13 @@ void put(Json& out, const Record& r, const std::string& key,
 }
 
 void putIdentity(Json& out, const Record& r) {
-  out["technique"] = r.technique;
-  out["transparency"] = r.transparency;
-  out["backend"] = r.backend;
+  putId(out, r.id);
+  out["knobs"] = r.knobs;
+  out["role"] = roleName(r.role);
   out["device"] = r.device;
   out["device_type"] = r.deviceType;
   out["driver"] = r.driver;
-  out["scene"] = r.scene;
   out["scene_hash"] = r.sceneHash;
-  out["width"] = r.width;
-  out["height"] = r.height;
-  out["knobs"] = r.knobs;
-  out["seed"] = r.seed;
   out["version"] = r.version;
 }
 
@@ -184,6 +179,23 @@ void appendCell(Json& list, const Record& r) {
 }
 
 }  // namespace
+
+void putId(Json& out, const CellId& id) {
+  out["technique"] = id.technique;
+  out["transparency"] = id.transparency;
+  out["lights"] = id.lights;
+  out["backend"] = id.backend;
+  out["scene"] = id.scene;
+  out["width"] = id.width;
+  out["height"] = id.height;
+  out["knobs"] = Json::object();
+  out["knobs_changed"] = Json::array();
+  for (const auto& [knob, value] : id.knobs) {
+    out["knobs"][knob] = value;
+    out["knobs_changed"].push_back(knob);
+  }
+  out["seed"] = id.seed;
+}
 
 Json cellToJson(const Record& record) {
   Json list = Json::array();

@@ -7,6 +7,14 @@
 
 namespace report {
 
+/// The keys that say which cell it is: `knobs` by name, and in `knobs_changed` the names of those
+/// that are not at their defaults, in order.
+void putId(Json& out, const CellId& id);
+/// The inverse, whatever else is in the object. Throws ReadError.
+CellId readId(const Field& object);
+/// Of a text. Throws ReadError.
+Role readRole(const Field& text);
+
 /// A list: one entry a repetition, and the aggregate that holds the record.
 Json cellToJson(const Record& record);
 /// The inverse. Throws ReadError.

@@ -79,10 +79,15 @@ Json figureToJson(const Figure& figure, const Run& run) {
               {"document", figure.document},
               {"x", figure.x},
               {"x_fallback", figure.xFallback},
-              {"cells", figure.cells},
+              {"cells", Json::array()},
+              {"cell_backends", Json::array()},
               {"missing", missingCells(figure, run)},
               {"stated", Json::array()},
               {"statements", Json::array()}};
+  for (const auto& [name, backend] : figure.cells) {
+    out["cells"].push_back(name);
+    out["cell_backends"].push_back(backend);
+  }
   for (const FigureStated& s : figure.stated)
     out["stated"].push_back({{"cells", s.cells},
                              {"passes", s.passes},
@@ -103,7 +108,12 @@ Figure readFigure(const Field& f) {
                 .document = f.at("document").text(),
                 .statements = {},
                 .stated = {}};
-  for (const Field& cell : f.at("cells").items()) figure.cells.push_back(cell.text());
+  for (const Field& name : f.at("cells").items()) figure.cells.push_back({name.text(), ""});
+  if (const auto backends = f.find("cell_backends")) {
+    const auto all = backends->items();
+    if (all.size() != figure.cells.size()) backends->refuse("one for each of the cells");
+    for (size_t i = 0; i < all.size(); ++i) figure.cells[i].backend = all[i].text();
+  }
   for (const Field& s : f.at("stated").items())
     figure.stated.push_back({.cells = s.at("cells").text(),
                              .passes = s.at("passes").text(),

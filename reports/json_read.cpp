@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "reports/json_cell.h"
 #include "reports/json_field.h"
@@ -56,20 +57,15 @@ Status readStatus(const Field& field) {
 }
 
 void readIdentity(const Field& e, Record& r) {
+  r.id = readId(e);
   r.name = e.at("run_name").text();
-  r.technique = e.at("technique").text();
-  r.transparency = textOf(e, "transparency");
-  r.backend = e.at("backend").text();
+  if (auto role = e.find("role")) r.role = readRole(*role);
   r.device = textOf(e, "device");
   r.deviceType = textOf(e, "device_type");
   r.driver = textOf(e, "driver");
-  r.scene = e.at("scene").text();
   r.sceneHash = textOf(e, "scene_hash");
-  r.width = e.at("width").integer<uint32_t>();
-  r.height = e.at("height").integer<uint32_t>();
   if (auto knobs = e.find("knobs"))
     for (const auto& [name, value] : knobs->members()) r.knobs[name] = value.text();
-  if (auto seed = e.find("seed")) r.seed = seed->integer<uint32_t>();
   r.version = textOf(e, "version");
 }
 
@@ -171,10 +167,24 @@ Block readBlock(const Field& e) {
           .cpuMs = numberOf(e, "cpu_mean_ms").value_or(e.at("cpu_time").number() * unit)};
 }
 
+/// Files from before rows said what they are: the tracer alone ran on no API, and what costs of
+/// others were told against is a baseline.
+void tellRoles(std::vector<Record>& records) {
+  std::set<std::string> baselines;
+  for (const Record& r : records)
+    for (const Ratio& ratio : r.ratios)
+      if (ratio.kind == "baseline") baselines.insert(ratio.against);
+  for (Record& r : records) {
+    if (r.id.backend == kTracerBackend) r.role = Role::Tracer;
+    if (baselines.contains(r.name)) r.role = Role::Baseline;
+  }
+}
+
 /// One record for each aggregate entry; the repetitions of its name before it are its blocks.
 std::vector<Record> readRecords(const Field& list) {
   std::vector<Record> records;
   std::map<std::string, std::vector<Block>> blocks;
+  bool toldRoles = false;
   for (const Field& entry : list.items()) {
     const std::string type = entry.at("run_type").text();
     if (type == "iteration") {
@@ -184,6 +194,7 @@ std::vector<Record> readRecords(const Field& list) {
     if (type != "aggregate") entry.at("run_type").refuse("\"iteration\" or \"aggregate\"");
     Record r;
     readIdentity(entry, r);
+    toldRoles |= entry.find("role").has_value();
     readPlan(entry, r);
     readTimes(entry, r);
     readResults(entry, r);
@@ -192,6 +203,7 @@ std::vector<Record> readRecords(const Field& list) {
     blocks.erase(r.name);
     records.push_back(std::move(r));
   }
+  if (!toldRoles) tellRoles(records);
   return records;
 }
 
@@ -235,6 +247,31 @@ std::string placeOf(const std::string& text, size_t byte) {
 
 }  // namespace
 
+CellId readId(const Field& e) {
+  CellId id{.technique = e.at("technique").text(),
+            .backend = e.at("backend").text(),
+            .scene = e.at("scene").text(),
+            .width = e.at("width").integer<uint32_t>(),
+            .height = e.at("height").integer<uint32_t>()};
+  if (auto transparency = e.find("transparency")) id.transparency = transparency->text();
+  if (auto lights = e.find("lights")) id.lights = lights->text();
+  // Files from before it was said which were changed: whatever is set counts.
+  if (const auto changed = e.find("knobs_changed"))
+    for (const Field& name : changed->items())
+      id.knobs.emplace_back(name.text(), e.at("knobs").at(name.text()).text());
+  else if (const auto knobs = e.find("knobs"))
+    for (const auto& [name, value] : knobs->members()) id.knobs.emplace_back(name, value.text());
+  if (auto seed = e.find("seed")) id.seed = seed->integer<uint32_t>();
+  return id;
+}
+
+Role readRole(const Field& field) {
+  const std::string text = field.text();
+  for (const Role role : kRoles)
+    if (text == roleName(role)) return role;
+  field.refuse("\"technique\", \"baseline\" or \"tracer\"");
+}
+
 Record readCell(const Field& entries) {
   std::vector<Record> records = readRecords(entries);
   if (records.size() != 1) entries.refuse("the entries of one cell");
@@ -257,6 +294,11 @@ Run fromJson(const std::string& text, const std::string& fileName) {
     for (const Field& field : cases->items()) run.stability.push_back(readStability(field));
   if (const auto figures = root.find("figures"))
     for (const Field& field : figures->items()) run.figures.push_back(readFigure(field));
+  // Files from before figures said it: of what was measured the records know.
+  for (Figure& figure : run.figures)
+    for (FigureCell& cell : figure.cells)
+      for (const Record& r : run.records)
+        if (cell.backend.empty() && r.name == cell.name) cell.backend = r.id.backend;
   return run;
 }
 

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "reports/json_cell.h"
+
 namespace report {
 namespace {
 
@@ -16,6 +18,7 @@ Json stabilityToJson(const StabilityRecord& r) {
               {"property", r.property},
               {"reason", r.reason},
               {"technique", r.technique},
+              {"role", roleName(r.role)},
               {"backend", r.backend},
               {"scene", r.scene.empty() ? Json(nullptr) : Json(r.scene)},
               {"parameter", r.parameter},
@@ -47,6 +50,7 @@ StabilityRecord readStability(const Field& f) {
                     .backend = f.at("backend").text(),
                     .parameter = f.at("parameter").text(),
                     .logarithmic = f.at("logarithmic").boolean()};
+  if (const auto role = f.find("role")) r.role = readRole(*role);
   if (const auto scene = f.find("scene")) {
     r.scene = scene->text();
     r.width = f.at("width").integer<uint32_t>();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/cell_id.h"
 #include "reports/error_record.h"
 #include "reports/figure.h"
 #include "reports/stability_record.h"
@@ -61,12 +62,11 @@ enum class Status : uint8_t { Ok, Skipped, Failed };
 
 struct Record {
   // identity
-  std::string name;
-  std::string technique, transparency, backend, device, deviceType, driver, scene, sceneHash;
-  uint32_t width = 0;
-  uint32_t height = 0;
-  std::map<std::string, std::string> knobs;
-  uint32_t seed = 0;
+  CellId id;         ///< its scene as base::printable() gives it
+  std::string name;  ///< cellName(id)
+  Role role = Role::Technique;
+  std::string device, deviceType, driver, sceneHash;
+  std::map<std::string, std::string> knobs;  ///< all, defaults too
   std::string version;
   // plan
   std::vector<std::string> effectsPlanned;

@@ -1,24 +1,14 @@
 #include "reports/record_view.h"
 
-#include <algorithm>
-
 namespace report {
 
-std::string techniqueOf(const Record& r) {
-  const std::string full = r.technique + "+" + r.transparency;
-  return r.name.starts_with(full + "/") ? full : r.technique;
-}
+std::string techniqueOf(const Record& r) { return techniqueName(r.id); }
 
-std::string variantOf(const Record& r) {
-  // TECHNIQUE/backend/scene[/knob:value...]/WxH; a scene may hold slashes itself.
-  const std::string head = techniqueOf(r) + "/" + r.backend + "/" + r.scene + "/";
-  if (!r.name.starts_with(head)) return "";
-  std::string rest = r.name.substr(head.size());
-  const size_t size = rest.rfind('/');
-  if (size == std::string::npos) return "";
-  rest.resize(size);
-  std::ranges::replace(rest, '/', ' ');
-  return rest;
+std::string variantOf(const CellId& id) {
+  std::string text;
+  for (const auto& [knob, value] : id.knobs) text += (text.empty() ? "" : " ") + knob + ":" + value;
+  if (id.seed != 0) text += (text.empty() ? "seed:" : " seed:") + std::to_string(id.seed);
+  return text;
 }
 
 std::string timeKeyOf(const Record& r) {

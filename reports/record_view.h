@@ -9,10 +9,11 @@
 
 namespace report {
 
-/// "CSSM2" or "CSSM2+Sorted": as cells are named.
+/// "CSSM2", "CSSM2+DepthPeeling", "CSSM2@Clustered": as cells are named.
 std::string techniqueOf(const Record& r);
-/// "kernel:9 size:512": what sets this cell apart from others of its technique; "" at its defaults.
-std::string variantOf(const Record& r);
+/// "kernel:9 size:512 seed:7": what sets this cell apart from others of its technique; "" at its
+/// defaults.
+std::string variantOf(const CellId& id);
 /// The time that cells are compared by: CPU time on software devices, else the frame's.
 std::string timeKeyOf(const Record& r);
 const std::optional<Distribution>& comparedTime(const Record& r);

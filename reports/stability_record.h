@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/cell_id.h"
+
 namespace report {
 
 enum class Verdict : uint8_t {
@@ -29,7 +31,9 @@ struct StabilityRecord {
   std::string title;      ///< what is done to the technique
   std::string property;   ///< what must hold, with the unit of `value`
   std::string reason;     ///< of the tolerance
-  std::string technique;  ///< TECHNIQUE[+TRANSPARENCY]
+  std::string technique;  ///< TECHNIQUE[+TRANSPARENCY][@LIGHTS][/knob:value...]
+  /// Baseline: nothing but what lacks shadows, which is asked what concerns every technique.
+  Role role = Role::Technique;
   std::string backend;
   std::string scene;  ///< the user's, which the property was asked of; "": the case has its own
   uint32_t width = 0, height = 0;  ///< of its picture

@@ -20,7 +20,7 @@ class Backend final : public rhi::Backend {
         .backend = "null",
         .name = "null",
         .type = rhi::DeviceType::Software,
-        .driver = "none",
+        .driver = "null",
         .driverVersion = "1",
         .apiVersion = "1",
         .limits = {.maxTexture2D = 16384,

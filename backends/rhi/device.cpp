@@ -230,9 +230,9 @@ size_t chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view sel
   }
   if (best == devices.size())
     throw Error("device selection", "",
-                selector.empty() ? "no usable device; found: " + (list.empty() ? "none" : list)
+                selector.empty() ? "no usable device; found: " + (list.empty() ? "nothing" : list)
                                  : "no device matches '" + std::string(selector) +
-                                       "'; there are: " + (list.empty() ? "none" : list));
+                                       "'; there are: " + (list.empty() ? "nothing" : list));
   if (!devices[best].unusable.empty())
     throw Error("device selection", "",
                 devices[best].name + " cannot be used: " + devices[best].unusable);

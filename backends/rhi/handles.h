@@ -8,8 +8,8 @@ namespace rhi {
 
 class Device;
 
-/// Names an object of a device; 0 is "none". The low 20 bits are a slot, the rest a generation, so
-/// that use after destruction is detected. Copyable: it owns nothing.
+/// Names an object of a device; 0 is no object. The low 20 bits are a slot, the rest a generation,
+/// so that use after destruction is detected. Copyable: it owns nothing.
 template <class Tag>
 struct Id {
   uint32_t value = 0;

@@ -35,7 +35,8 @@ bool matchesRegex(const std::string& regex, const std::string& name) {
 }
 
 std::vector<const Record*> recordsOf(const Figure& figure, const Run& run) {
-  const std::set<std::string> names(figure.cells.begin(), figure.cells.end());
+  std::set<std::string> names;
+  for (const FigureCell& cell : figure.cells) names.insert(cell.name);
   std::vector<const Record*> out;
   for (const Record& r : run.records)
     if (names.contains(r.name)) out.push_back(&r);
@@ -44,7 +45,7 @@ std::vector<const Record*> recordsOf(const Figure& figure, const Run& run) {
 
 std::vector<std::string> missingCells(const Figure& figure, const Run& run) {
   std::vector<std::string> out;
-  for (const std::string& name : figure.cells) {
+  for (const auto& [name, backend] : figure.cells) {
     const auto found = std::ranges::find(run.records, name, &Record::name);
     if (found == run.records.end())
       out.push_back(name + ": not in this run");
@@ -57,21 +58,20 @@ std::vector<std::string> missingCells(const Figure& figure, const Run& run) {
 std::vector<std::string> backendsOf(const std::vector<const Record*>& records) {
   std::vector<std::string> out;
   for (const Record* r : records)
-    if (!std::ranges::count(out, r->backend)) out.push_back(r->backend);
+    if (!std::ranges::count(out, r->id.backend)) out.push_back(r->id.backend);
   return out;
 }
 
 std::string whyLacking(const Figure& figure, const FigureStatement& s, const Run& run) {
-  std::vector<std::string> parts;
-  for (const std::string& backend : backendsOf(recordsOf(figure, run)))
-    parts.push_back("/" + backend + "/");
-  parts.emplace_back();
-  for (const std::string& part : parts)
+  std::vector<std::string> backends = backendsOf(recordsOf(figure, run));
+  backends.emplace_back();  // any
+  for (const std::string& wanted : backends)
     for (const FigureSide* side : {&s.left, &s.right}) {
       if (side == &s.right && s.number) break;
       const std::string& cells = side->cells.empty() ? s.left.cells : side->cells;
-      for (const std::string& name : figure.cells) {
-        if (name.find(part) == name.npos || !matchesRegex(cells, name)) continue;
+      for (const auto& [name, backend] : figure.cells) {
+        if (!wanted.empty() && !backend.empty() && backend != wanted) continue;
+        if (!matchesRegex(cells, name)) continue;
         if (std::string why = whyLacking(name, *side, run); !why.empty()) return why;
       }
     }

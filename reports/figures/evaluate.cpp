@@ -37,7 +37,7 @@ Records sideRecords(const Figure& figure, const FigureSide& side, const std::str
                     const Records& all) {
   Records out;
   for (const Record* r : all)
-    if (r->backend == backend && matchesRegex(side.cells, r->name) &&
+    if (r->id.backend == backend && matchesRegex(side.cells, r->name) &&
         (!side.at || xOf(figure, *r) == *side.at))
       out.push_back(r);
   return out;
@@ -68,8 +68,8 @@ std::optional<Measured> valueOf(const Figure& figure, const std::string& of,
 bool isWhole(const Figure& figure, const FigureSide& side, const std::string& backend,
              const Records& found) {
   if (side.at) return !found.empty();  // names do not say every cell's x
-  const auto expected = std::ranges::count_if(figure.cells, [&](const std::string& name) {
-    return name.find("/" + backend + "/") != name.npos && matchesRegex(side.cells, name);
+  const auto expected = std::ranges::count_if(figure.cells, [&](const FigureCell& cell) {
+    return (cell.backend == backend || cell.backend.empty()) && matchesRegex(side.cells, cell.name);
   });
   return std::ssize(found) == expected;
 }

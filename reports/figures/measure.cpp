@@ -172,15 +172,15 @@ std::string measureTitle(const std::string& measure) {
 
 double xOf(const Figure& figure, const Record& record) {
   std::string text;
-  if (const Place place = placeOf(record.scene, figure.x); place.end > 0)
-    text = record.scene.substr(place.value, place.end - place.value);
+  if (const Place place = placeOf(record.id.scene, figure.x); place.end > 0)
+    text = record.id.scene.substr(place.value, place.end - place.value);
   else if (const auto knob = record.knobs.find(figure.x); knob != record.knobs.end())
     text = knob->second;
   return base::readNumber(text, {}).value_or(figure.xFallback);
 }
 
 std::string sceneWithoutX(const Figure& figure, const Record& record) {
-  std::string scene = record.scene;
+  std::string scene = record.id.scene;
   const Place place = placeOf(scene, figure.x);
   if (place.end == 0) return scene;
   // With the comma before it, or the one after it when it is the first; the colon goes with the

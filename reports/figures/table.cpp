@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
@@ -25,10 +24,10 @@ FigureEntry measureEntry(const Record& r, const std::string& measure) {
 
 /// The scene, where the figure's cells have several, and the knobs that are no defaults.
 std::string labelOf(const Figure& figure, const Record& r, bool manyScenes) {
-  std::string knobs, knob;
   // The figure's x, where it is a knob, is no part of a series' name.
-  for (std::istringstream all(variantOf(r)); all >> knob;)
-    if (!knob.starts_with(figure.x + ":")) knobs += (knobs.empty() ? "" : " ") + knob;
+  CellId others = r.id;
+  std::erase_if(others.knobs, [&](const auto& knob) { return knob.first == figure.x; });
+  const std::string knobs = variantOf(others);
   if (!manyScenes) return knobs;
   return sceneWithoutX(figure, r) + (knobs.empty() ? "" : " " + knobs);
 }
@@ -198,7 +197,8 @@ std::vector<FigureSeries> seriesOf(const Figure& figure, const Run& run) {
     const auto same = std::ranges::find_if(out, [&](const FigureSeries& s) {
       const Record& first = *s.records.front();
       return s.label == label && techniqueOf(first) == techniqueOf(*r) &&
-             first.backend == r->backend && first.width == r->width && first.height == r->height;
+             first.id.backend == r->id.backend && first.id.width == r->id.width &&
+             first.id.height == r->id.height;
     });
     if (same == out.end())
       out.push_back({label, {r}});

@@ -53,7 +53,7 @@ std::string barTable(const PageModel& model, const ScenePart& part, const std::s
   for (size_t index : part.cells) {
     const Record& r = model.run.records[index];
     // A ray tracer's row would leave nothing of the others.
-    if (r.backend != "cpu") most = std::max(most, total(partsOf(r)));
+    if (r.role != Role::Tracer) most = std::max(most, total(partsOf(r)));
   }
   std::vector<TableLine> lines;
   for (size_t index : part.cells) {
@@ -122,12 +122,12 @@ std::vector<Comparison> comparisons(const PageModel& model, const ScenePart& par
   for (const bool vulkan : {true, false})
     for (size_t index : part.cells) {
       const Record& r = model.run.records[index];
-      if ((r.backend == "vulkan") != vulkan) continue;
+      if ((r.id.backend == "vulkan") != vulkan) continue;
       for (const Ratio& x : r.ratios) {
         if (x.kind != "backend" || seen.contains({x.against, r.name})) continue;
         seen.insert({r.name, x.against});
         const auto other = std::ranges::find(model.run.records, x.against, &Record::name);
-        out.push_back({&r, &x, other == model.run.records.end() ? x.against : other->backend});
+        out.push_back({&r, &x, other == model.run.records.end() ? x.against : other->id.backend});
       }
     }
   return out;
@@ -136,7 +136,7 @@ std::vector<Comparison> comparisons(const PageModel& model, const ScenePart& par
 std::string verdict(const Record& r, const Ratio& x, const std::string& other) {
   if (x.low <= 1 && x.high >= 1) return "no difference shown";
   const bool faster = x.value < 1;
-  return (faster ? r.backend : other) + " is faster";
+  return (faster ? r.id.backend : other) + " is faster";
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::string backendRatios(const PageModel& model, const ScenePart& part) {
   std::vector<TableLine> lines;
   for (const auto& [cell, x, other] : all) {
     TableLine line = cellLine(model, *cell);
-    line.cells[1].html = model.backendHtml(cell->backend) + " over " + model.backendHtml(other);
+    line.cells[1].html = model.backendHtml(cell->id.backend) + " over " + model.backendHtml(other);
     line.cells.push_back({.html = withInterval(x->value, x->low, x->high), .value = x->value});
     line.cells.push_back(
         {.html = ratioMark(*x, most) + "<small>" + escaped(verdict(*cell, *x, other)) + "</small>",

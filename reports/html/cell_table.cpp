@@ -78,11 +78,11 @@ const TradePoint* pointOf(const std::vector<const TradeOff*>& tradeOffs, const R
 std::vector<TableColumn> cellColumns() { return {{"Technique"}, {"Backend"}, {"Knobs"}}; }
 
 TableLine cellLine(const PageModel& model, const Record& r) {
-  const std::string variant = variantOf(r);
+  const std::string variant = variantOf(r.id);
   return {.technique = techniqueOf(r),
-          .backend = r.backend,
+          .backend = r.id.backend,
           .cells = {{.html = model.techniqueHtml(techniqueOf(r))},
-                    {.html = model.backendHtml(r.backend)},
+                    {.html = model.backendHtml(r.id.backend)},
                     textEntry(variant.empty() ? "default" : variant)},
           .muted = r.status != Status::Ok};
 }

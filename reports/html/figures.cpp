@@ -62,9 +62,9 @@ std::string table(const PageModel& model, const Figure& figure) {
     const std::string technique = techniqueOf(*row.record);
     TableLine line{
         .technique = technique,
-        .backend = row.record->backend,
+        .backend = row.record->id.backend,
         .cells = {{.html = model.techniqueHtml(technique)},
-                  {.html = model.backendHtml(row.record->backend)},
+                  {.html = model.backendHtml(row.record->id.backend)},
                   {.html = row.label.empty() ? "<small>default</small>" : escaped(row.label)}}};
     for (const FigureEntry& e : row.entries)
       line.cells.push_back({.html = e.text == "-" ? "–" : escaped(e.text), .value = e.value});
@@ -80,14 +80,14 @@ std::string plots(const Figure& figure, const Run& run, CurveSet& curves) {
   const auto series = seriesOf(figure, run);
   std::map<std::string, size_t> lines;
   for (const FigureSeries& s : series)
-    ++lines[techniqueOf(*s.records.front()) + "/" + s.records.front()->backend];
+    ++lines[techniqueOf(*s.records.front()) + "/" + s.records.front()->id.backend];
   const bool labels = std::ranges::any_of(lines, [](const auto& l) { return l.second > 1; });
   for (const char* measure : kScalingMeasures) {
     Curve curve{.xTitle = figure.x, .yTitle = measureTitle(measure), .lines = {}};
     for (const FigureSeries& s : series) {
       const Record& first = *s.records.front();
       CurveLine line{.technique = techniqueOf(first),
-                     .backend = first.backend,
+                     .backend = first.id.backend,
                      .label = labels ? (s.label.empty() ? "default" : s.label) : "",
                      .points = {}};
       for (const Record* r : s.records)
@@ -113,7 +113,7 @@ std::string cards(const PageModel& model, const Figure& figure, PictureSet& pict
     if (!r->pictures.contains("image")) continue;
     const auto same = std::ranges::find_if(groups, [&](const auto& g) {
       return g.front()->pictures == r->pictures && techniqueOf(*g.front()) == techniqueOf(*r) &&
-             variantOf(*g.front()) == variantOf(*r) && g.front()->scene == r->scene;
+             variantOf(g.front()->id) == variantOf(r->id) && g.front()->id.scene == r->id.scene;
     });
     if (same == groups.end())
       groups.push_back({r});
@@ -123,20 +123,20 @@ std::string cards(const PageModel& model, const Figure& figure, PictureSet& pict
   std::string out;
   for (const auto& group : groups) {
     const Record& r = *group.front();
-    std::string backends, variant = variantOf(r);
+    std::string backends, variant = variantOf(r.id);
     Json names = Json::array();
     for (const Record* other : group) {
-      backends += " " + model.backendHtml(other->backend);
-      names.push_back(other->backend);
+      backends += " " + model.backendHtml(other->id.backend);
+      names.push_back(other->id.backend);
     }
     out += "<article class=\"card\"" + filterAttributes(techniqueOf(r), "") + " data-backends=\"" +
            escaped(names.dump(-1, ' ', true, Json::error_handler_t::replace)) + "\" data-cell=\"" +
            std::to_string(model.indexOf(r)) + "\">\n<h4>" + model.techniqueHtml(techniqueOf(r)) +
-           backends + " <small>" + escaped(r.scene + (variant.empty() ? "" : " " + variant)) +
+           backends + " <small>" + escaped(r.id.scene + (variant.empty() ? "" : " " + variant)) +
            "</small></h4>\n<div class=\"pictures\">\n" +
            pictureHtml(pictures.html(r, "image", "Picture of " + r.name),
                        r.image ? "image, RMSE " + report::figure(r.image->all.rmse) : "image") +
-           pictureHtml(pictures.html(r, "truth", "Truth of " + r.scene), "truth, ray-traced") +
+           pictureHtml(pictures.html(r, "truth", "Truth of " + r.id.scene), "truth, ray-traced") +
            pictureHtml(pictures.html(r, "error", "Error map of " + r.name),
                        r.visibility
                            ? "error, visibility RMSE " + report::figure(r.visibility->all.rmse)

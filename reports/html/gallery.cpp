@@ -76,13 +76,13 @@ std::string figureHtml(const std::string& picture, const std::string& caption) {
 std::string card(const PageModel& model, const std::vector<const Record*>& same,
                  const HtmlSettings& settings, PictureSet& pictures) {
   const Record& r = *same.front();
-  const std::string variant = variantOf(r);
+  const std::string variant = variantOf(r.id);
   std::string backends, label = techniqueOf(r);
   Json names = Json::array();
   for (const Record* other : same) {
-    backends += " " + model.backendHtml(other->backend);
-    label += ", " + other->backend;
-    names.push_back(other->backend);
+    backends += " " + model.backendHtml(other->id.backend);
+    label += ", " + other->id.backend;
+    names.push_back(other->id.backend);
   }
   if (!variant.empty()) label += ", " + variant;
   std::string out =
@@ -122,8 +122,8 @@ std::string galleryHtml(const PageModel& model, const ScenePart& part, const Htm
                 "</div></article>\n";
     }
     const auto group = std::ranges::find_if(groups, [&](const auto& g) {
-      return techniqueOf(*g.front()) == techniqueOf(r) && variantOf(*g.front()) == variantOf(r) &&
-             g.front()->pictures == r.pictures;
+      return techniqueOf(*g.front()) == techniqueOf(r) &&
+             variantOf(g.front()->id) == variantOf(r.id) && g.front()->pictures == r.pictures;
     });
     if (group == groups.end())
       groups.push_back({&r});

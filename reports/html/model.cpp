@@ -32,34 +32,40 @@ PageModel::PageModel(const Run& r)
       image(tradeOffs(r, ErrorKind::Image)) {
   // What has no time of its own, or belongs to no API, goes where its scene's other cells are.
   auto partOf = [&](const Record& record) -> ScenePart& {
-    const std::string key = record.backend == "cpu" ? "" : timeKeyOf(record);
+    const std::string key = record.role == Role::Tracer ? "" : timeKeyOf(record);
     for (ScenePart& p : parts)
-      if (p.scene == record.scene && p.width == record.width && p.height == record.height &&
-          (p.timeKey == key || p.timeKey.empty() || key.empty())) {
+      if (p.scene == record.id.scene && p.width == record.id.width &&
+          p.height == record.id.height && (p.timeKey == key || p.timeKey.empty() || key.empty())) {
         if (p.timeKey.empty()) p.timeKey = key;
         return p;
       }
     parts.push_back({.id = "scene" + std::to_string(parts.size()),
-                     .scene = record.scene,
-                     .width = record.width,
-                     .height = record.height,
+                     .scene = record.id.scene,
+                     .width = record.id.width,
+                     .height = record.id.height,
                      .timeKey = key});
     return parts.back();
   };
   for (const Record& record : run.records) {
     addOnce(techniques, techniqueOf(record));
-    addOnce(backends, record.backend);
-    addOnce(scenes, record.scene);
+    if (record.role == Role::Baseline) baseline = record.id.technique;
+    addOnce(backends, record.id.backend);
+    addOnce(scenes, record.id.scene);
     partOf(record).cells.push_back(indexOf(record));
   }
   for (const StabilityRecord& r : run.stability) {
     addOnce(techniques, r.technique);
+    if (r.role == Role::Baseline) baseline = r.technique;
     addOnce(backends, r.backend);
   }
   for (ScenePart& part : parts)
     if (part.timeKey.empty()) part.timeKey = timeKeyOf(run.records[part.cells.front()]);
   // Reference rows belong to no API: the APIs' shapes should not depend on whether there are any.
-  std::ranges::stable_partition(backends, [](const std::string& b) { return b != "cpu"; });
+  std::ranges::stable_partition(backends, [&](const std::string& b) {
+    return std::ranges::none_of(run.records, [&](const Record& record) {
+      return record.role == Role::Tracer && record.id.backend == b;
+    });
+  });
   auto deal = [&](const std::vector<TradeOff>& all,
                   std::vector<const TradeOff*> ScenePart::*member) {
     for (const TradeOff& t : all)
@@ -74,10 +80,9 @@ PageModel::PageModel(const Run& r)
 
 std::string PageModel::colorClass(const std::string& technique) const {
   constexpr size_t kColors = 9;
-  if (technique == "none") return "tn";
-  const size_t none = placeIn(techniques, "none");
+  if (technique == baseline) return "tn";
   const size_t place = placeIn(techniques, technique);
-  return "t" + std::to_string((place - (none < place ? 1 : 0)) % kColors);
+  return "t" + std::to_string((place - (placeIn(techniques, baseline) < place ? 1 : 0)) % kColors);
 }
 
 std::string PageModel::shapeClass(const std::string& backend) const {

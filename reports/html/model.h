@@ -30,12 +30,13 @@ struct PageModel {
 
   const Run& run;
   std::vector<std::string> techniques, backends, scenes;
+  std::string baseline;  ///< of the techniques the one without shadows; "": there is none
   std::vector<TradeOff> visibility, image;
   std::vector<ScenePart> parts;
 
   size_t indexOf(const Record& r) const { return size_t(&r - run.records.data()); }
   /// Class that gives the technique's colour: "t0", "t1", ... in order of appearance; "tn" for
-  /// none.
+  /// the baseline.
   std::string colorClass(const std::string& technique) const;
   /// Class that gives the backend's shape: "b0", "b1", ...
   std::string shapeClass(const std::string& backend) const;

@@ -113,10 +113,10 @@ std::string facts(const PageModel& model) {
   size_t ok = 0, byBudget = 0;
   for (const Record& r : run.records) {
     if (!r.device.empty())
-      devices.insert(model.backendHtml(r.backend) + " " + escaped(r.device) + " (" +
+      devices.insert(model.backendHtml(r.id.backend) + " " + escaped(r.device) + " (" +
                      escaped(r.deviceType) + "), driver " + escaped(r.driver));
-    sizes.insert(fmt::format("{}×{}", r.width, r.height));
-    seeds.insert(std::to_string(r.seed));
+    sizes.insert(fmt::format("{}×{}", r.id.width, r.id.height));
+    seeds.insert(std::to_string(r.id.seed));
     ok += r.status == Status::Ok;
     byBudget += r.stoppedBy == "budget";
   }

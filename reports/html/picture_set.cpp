@@ -48,8 +48,8 @@ std::string PictureSet::html(const Record& record, const std::string& role,
     return "<p class=\"no-picture\">refused: its name is no hash</p>";
   }
   const std::string attributes =
-      fmt::format("width=\"{}\" height=\"{}\" alt=\"{}\" data-picture=\"{}\"", record.width,
-                  record.height, escaped(alternative), hash);
+      fmt::format("width=\"{}\" height=\"{}\" alt=\"{}\" data-picture=\"{}\"", record.id.width,
+                  record.id.height, escaped(alternative), hash);
   if (m_embedded.contains(hash)) return "<img " + attributes + ">";
   const std::string png = m_folder.empty() ? "" : readFile(m_folder / (hash + ".png"));
   if (!png.starts_with("\x89PNG\r\n\x1a\n")) {

@@ -42,7 +42,7 @@ std::string table(const PageModel& model, ErrorKind kind) {
           line.cells.push_back(absentEntry("no cell within this time"));
           continue;
         }
-        const std::string variant = variantOf(*p->record);
+        const std::string variant = variantOf(p->record->id);
         line.cells.push_back({.html = figure(p->error) + "<small>" +
                                       escaped(variant.empty() ? "default" : variant) + " · " +
                                       figure(p->time) + " ms</small>",

@@ -46,7 +46,7 @@ std::string limitTable(const PageModel& model, const std::vector<const TradeOff*
           line.cells.push_back({.html = "–", .technique = name});
           continue;
         }
-        const std::string text = figure(p->*value), variant = variantOf(*p->record);
+        const std::string text = figure(p->*value), variant = variantOf(p->record->id);
         line.cells.push_back(
             {.html = (p->*value <= best->*value ? "<strong>" + text + "</strong>" : text) +
                      "<small>" + escaped(variant.empty() ? "default" : variant) + " · " +

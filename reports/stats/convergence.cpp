@@ -34,7 +34,7 @@ std::string othersOf(const Record& r, const std::string& knob, const std::set<st
   };
   for (const auto& [name, value] : r.knobs)
     if (name != knob && vary.contains(name)) add(name, value);
-  if (r.seed != 0) add("seed", std::to_string(r.seed));
+  if (r.id.seed != 0) add("seed", std::to_string(r.id.seed));
   return out;
 }
 

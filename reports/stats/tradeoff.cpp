@@ -5,19 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <tuple>
 
+#include "reports/record_view.h"
 #include "reports/stats/tradeoff_parts.h"
 
 namespace report {
 namespace {
 
-constexpr const char* kBaseline = "none";
-constexpr const char* kTracer = "RayTraced";
-
 /// The tracer runs beside every backend: its time compares with any other CPU time.
-bool isTracer(const Record& r) { return r.technique == kTracer && r.backend == "cpu"; }
+bool isTracer(const Record& r) { return r.role == Role::Tracer; }
+
+bool isBaseline(const Record& r) { return r.role == Role::Baseline; }
 
 bool comparesCpu(const Record& r) { return r.deviceType == "software"; }
 
@@ -43,7 +42,7 @@ Interval holding(double value, const Interval& interval) {
 TradePoint pointOf(const Record& r, ErrorKind kind) {
   TradePoint p;
   p.record = &r;
-  p.technique = r.technique;
+  p.technique = techniqueOf(r);
   p.bytes = r.bytes;
   p.time = timeOf(r);
   p.timeInterval = {p.time, p.time};
@@ -61,7 +60,7 @@ TradePoint pointOf(const Record& r, ErrorKind kind) {
 
 /// The ratio that is shown wins over a quotient of other cells' medians.
 std::optional<double> timesBaseline(const Record& r, const std::optional<double>& baseline) {
-  if (r.technique == kBaseline) return 1;
+  if (isBaseline(r)) return 1;
   for (const Ratio& ratio : r.ratios)
     if (ratio.kind == "baseline") return ratio.value;
   if (!baseline) return {};
@@ -69,13 +68,13 @@ std::optional<double> timesBaseline(const Record& r, const std::optional<double>
 }
 
 bool sameScene(const Record& r, const TradeOff& t) {
-  return std::tie(r.scene, r.width, r.height) == std::tie(t.scene, t.width, t.height);
+  return std::tie(r.id.scene, r.id.width, r.id.height) == std::tie(t.scene, t.width, t.height);
 }
 
 bool belongs(const Record& r, const TradeOff& t) {
   if (!sameScene(r, t)) return false;
   if (isTracer(r) && comparesCpu(r) && t.timeKey == "cpu_ms") return true;
-  return r.backend == t.backend && r.device == t.device;
+  return r.id.backend == t.backend && r.device == t.device;
 }
 
 /// One for each group that has a point, without its points.
@@ -85,8 +84,8 @@ std::vector<TradeOff> groups(const Run& run, ErrorKind kind) {
     if (!isTimed(r) || !errorOf(r, kind)) return;
     if (std::ranges::any_of(result, [&](const TradeOff& t) { return belongs(r, t); })) return;
     TradeOff t;
-    std::tie(t.scene, t.backend, t.device) = std::tie(r.scene, r.backend, r.device);
-    std::tie(t.width, t.height, t.kind) = std::tie(r.width, r.height, kind);
+    std::tie(t.scene, t.backend, t.device) = std::tie(r.id.scene, r.id.backend, r.device);
+    std::tie(t.width, t.height, t.kind) = std::tie(r.id.width, r.id.height, kind);
     t.timeKey = comparesCpu(r) ? "cpu_ms" : "frame_ms";
     result.push_back(std::move(t));
   };
@@ -99,18 +98,14 @@ std::vector<TradeOff> groups(const Run& run, ErrorKind kind) {
 }
 
 void addPoints(TradeOff& t, const Run& run) {
-  std::set<std::string> transparencies;
   for (const Record& r : run.records) {
     if (!belongs(r, t) || !isTimed(r)) continue;
-    if (r.technique == kBaseline) t.baseline = std::min(timeOf(r), t.baseline.value_or(timeOf(r)));
+    if (isBaseline(r)) t.baseline = std::min(timeOf(r), t.baseline.value_or(timeOf(r)));
     if (!errorOf(r, t.kind)) continue;
     t.points.push_back(pointOf(r, t.kind));
-    if (!r.transparency.empty()) transparencies.insert(r.transparency);
   }
   for (TradePoint& p : t.points) {
     p.timesBaseline = timesBaseline(*p.record, t.baseline);
-    const std::string& transparency = p.record->transparency;
-    if (transparencies.size() > 1 && !transparency.empty()) p.technique += "+" + transparency;
     if (std::ranges::find(t.techniques, p.technique) == t.techniques.end())
       t.techniques.push_back(p.technique);
   }

@@ -76,8 +76,8 @@ struct TradeOff {
   uint32_t width = 0, height = 0;
   ErrorKind kind = ErrorKind::Visibility;
   std::string timeKey;             ///< "cpu_ms" or "frame_ms"
-  std::optional<double> baseline;  ///< least time of `none`, with or without error; milliseconds
-  /// In order of appearance; "technique+transparency" where the points have several transparencies.
+  std::optional<double> baseline;  ///< least time of one, with or without error; milliseconds
+  /// TECHNIQUE[+TRANSPARENCY][@LIGHTS], in order of appearance.
   std::vector<std::string> techniques;
   std::vector<TradePoint> points;    ///< cells that are ok, not contaminated, and have an error
   std::vector<TableRow> equalTime;   ///< timesBaseline at most 1, 2, 4, 8, 16; empty without one
@@ -86,7 +86,7 @@ struct TradeOff {
   std::vector<Exchange> exchanges;
 };
 
-/// `run` must outlive the result. The `RayTraced` row (backend "cpu") joins every backend's points
+/// `run` must outlive the result. The tracer's row joins every backend's points
 /// of its scene and size when the compared time is CPU time; where there are none it stands alone.
 std::vector<TradeOff> tradeOffs(const Run& run, ErrorKind kind = ErrorKind::Visibility);
 std::vector<TradeOff> tradeOffs(Run&& run, ErrorKind kind = ErrorKind::Visibility) = delete;

@@ -54,7 +54,7 @@ int doctorCommand(const Options& options) {
   }
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
-                  {.selector = options.device, .validate = options.validate});
+                  {.selector = options.device.selector, .validate = options.device.validate});
   int working = 0;
   for (rhi::Backend* backend : platform.backends()) {
     out("{}\n", backend->name());

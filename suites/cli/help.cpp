@@ -37,6 +37,8 @@ std::string helpFooter() {
   describe(out, referenceInfo());
   out += "Camera transparency (--technique NAME+TRANSPARENCY; NAME alone means NAME+Sorted):\n";
   for (const auto* t : transparencyTechniques()) describe(out, t->info);
+  out += "Loops over lights (--technique NAME@LIGHTS; NAME alone means NAME@AllLights):\n";
+  for (const auto* t : lightTechniques()) describe(out, t->info);
   out += "Scenes (--scene NAME:param=value,... or a .gltf or .glb file):\n";
   for (const SceneInfo& s : proceduralScenes()) {
     out += "  " + s.name + ": " + s.help + "\n";
@@ -44,10 +46,9 @@ std::string helpFooter() {
       out += "      " + p.name + "  [" + p.fallbackText() + (p.unit.empty() ? "" : " " + p.unit) + "]  " + p.help + "\n";
   }
   out +=
-      "Names of cells: TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value/WxH; what is at "
-      "its\n"
-      "default is left out. --filter takes a name as --list prints it, a part of it, or a regular\n"
-      "expression (RE2) that is found anywhere in it.\n"
+      "Names of cells: TECHNIQUE[+TRANSPARENCY][@LIGHTS]/backend/scene:params/knob:value/WxH;\n"
+      "what is at its default is left out. --filter takes a name as --list prints it, a part of\n"
+      "it, or a regular expression (RE2) that is found anywhere in it.\n"
       "Google Benchmark's own --benchmark_* flags work too.\n"
       "Exit code: 0 all cells ok or skipped, 1 a cell failed, was skipped for want of memory (see\n"
       "--allow-skips) or none was measured, or a result could not be written, 2 wrong input,\n"

@@ -33,7 +33,7 @@ void openBackends(const Options& options, Devices& devices, RunPlan& plan, repor
   std::set<std::string> names, broken;
   for (const CellId& cell : plan.cells) names.insert(cell.backend);
   for (const StabilityJob& job : plan.jobs) names.insert(job.backend);
-  names.erase(kReferenceBackend);
+  names.erase(kTracerBackend);
   for (const std::string& name : names)
     if (!devices.open(name)) {
       broken.insert(name);
@@ -66,14 +66,14 @@ void checkScenes(const RunPlan& plan, report::Run& run) {
     if (!job.scene.empty()) check(job.scene, job.size, Made::Truth);
 }
 
-/// What is finished, by name; in the order of the plan when it is told.
+/// What is finished; in the order of the plan when it is told.
 struct Results {
-  std::map<std::string, report::Record> cells;
+  std::map<CellId, report::Record> cells;  ///< by recordedId()
   std::map<std::string, report::StabilityRecord> hardCases;
   size_t count() const { return cells.size() + hardCases.size(); }
   void tell(const RunPlan& plan, report::Run& run) const {
     for (const CellId& id : plan.cells)
-      if (auto found = cells.find(cellName(id)); found != cells.end())
+      if (auto found = cells.find(recordedId(id)); found != cells.end())
         run.records.push_back(found->second);
     for (const StabilityJob& job : plan.jobs)
       if (auto found = hardCases.find(jobName(job)); found != hardCases.end())
@@ -100,7 +100,7 @@ void measureAll(const Options& options, RunPlan& plan, Devices& devices, Session
   settings.interrupted = &interrupted();
   settings.judge.interrupted = &interrupted();
   settings.earlierBlocks = &session.earlier().blocks;
-  settings.onBlock = [&](const std::string& cell, const SampleBlock& block) {
+  settings.onBlock = [&](const CellId& cell, const SampleBlock& block) {
     session.journal().block(cell, block);
   };
   settings.onVerified = [&](const CellResult& result) {
@@ -109,18 +109,18 @@ void measureAll(const Options& options, RunPlan& plan, Devices& devices, Session
   };
   for (size_t g = 0; g < groups.size() && !interrupted(); ++g) {
     settings.progress = [&](const std::string& what, double done) {
-      progress.update(groups[g].front().scene, what, (double(g) + done) / double(groups.size()));
+      progress.update(groups[g].front().id.scene, what, (double(g) + done) / double(groups.size()));
     };
     for (CellResult& result : measureGroup(groups[g], devices, settings, SHADOWBENCH_VERSION)) {
-      const std::string name = cellName(result.id);
-      if (result.id.companion) {
-        if (auto kept = found.cells.find(name); kept != found.cells.end())
+      const CellId id = result.record.id;
+      if (result.companion) {
+        if (auto kept = found.cells.find(id); kept != found.cells.end())
           completeRatios(kept->second, result.record);
         continue;
       }
       outputs.addPictures(result.files);
       session.journal().cell(result.record);
-      found.cells.insert_or_assign(name, std::move(result.record));
+      found.cells.insert_or_assign(id, std::move(result.record));
     }
   }
 }
@@ -144,10 +144,12 @@ void runHardCases(const Options& options, const RunPlan& plan, Devices& devices,
 
 /// Some technique was measured with different knobs on one scene: there is accuracy to choose.
 bool isSweep(const report::Run& run) {
-  std::set<std::string> seen;
-  for (const report::Record& r : run.records)
-    if (!seen.insert(r.technique + "/" + r.transparency + "/" + r.backend + "/" + r.scene).second)
-      return true;
+  std::set<CellId> seen;
+  for (const report::Record& r : run.records) {
+    CellId id = r.id;
+    id.knobs.clear();
+    if (!seen.insert(std::move(id)).second) return true;
+  }
   return false;
 }
 
@@ -183,9 +185,9 @@ int exitCode(const Options& options, const report::Run& run) {
     skips += isSkipForMemory(r);
   }
   if (!anyOk) say("no cell could be measured");
-  if (skips > 0 && !options.allowSkips)
+  if (skips > 0 && !options.measuring.allowSkips)
     say(std::to_string(skips) + " cells were skipped for want of memory (--allow-skips)");
-  return anyFailed || !anyOk || (skips > 0 && !options.allowSkips) ? 1 : 0;
+  return anyFailed || !anyOk || (skips > 0 && !options.measuring.allowSkips) ? 1 : 0;
 }
 
 }  // namespace
@@ -195,7 +197,7 @@ int measureCommand(const Options& given) {
   limitMemory(options);
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
-                  {.selector = options.device, .validate = options.validate});
+                  {.selector = options.device.selector, .validate = options.device.validate});
   RunPlan plan = planRun(options, platform.names());
   if (options.list) {
     for (const CellId& cell : plan.cells) print(cellName(cell) + "\n");

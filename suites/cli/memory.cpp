@@ -47,7 +47,7 @@ void require(const std::string& what, uint64_t bytes) {
 }  // namespace
 
 void limitMemory(const Options& options) {
-  rhi::limitHostMemory(options.maxMemory.value_or(rhi::machineMemory() / 2));
+  rhi::limitHostMemory(options.device.maxMemory.value_or(rhi::machineMemory() / 2));
 }
 
 void requireMemory(const Scene& scene, rhi::Extent2D size, Made made) {

@@ -83,7 +83,7 @@ void addExposure(CLI::App& app, Options& o) {
 void addMaxMemory(CLI::App& app, Options& o) {
   addNumber(
       app, "--max-memory", {.low = 0, .high = 1e9, .above = true},
-      [&o](double mib) { o.maxMemory = uint64_t(mib * (1 << 20)); },
+      [&o](double mib) { o.device.maxMemory = uint64_t(mib * (1 << 20)); },
       "what scenes, pictures, truths and software devices may take [half of the machine's]", "MIB");
 }
 
@@ -120,7 +120,7 @@ void addScene(CLI::App& app, Options& o) {
 void addSelection(CLI::App& app, Options& o) {
   addScene(app, o);
   app.add_option("--technique", o.selection.techniques,
-                 "technique, or TECHNIQUE+TRANSPARENCY; repeat or separate by commas")
+                 "TECHNIQUE[+TRANSPARENCY][@LIGHTS]; repeat or separate by commas")
       ->delimiter(',')
       ->type_name("NAME");
   app.add_option("--backend", o.selection.backends, "vulkan, opengl (EGL) or opengl-osmesa")
@@ -134,15 +134,15 @@ void addSelection(CLI::App& app, Options& o) {
 }
 
 void addCommon(CLI::App& app, Options& o) {
-  app.add_option("--gl", o.gl, "how OpenGL is reached when no backend is named [egl]")
+  app.add_option("--gl", o.device.gl, "how OpenGL is reached when no backend is named [egl]")
       ->check(CLI::IsMember({"egl", "osmesa"}))
       ->type_name("egl|osmesa");
-  app.add_option("--device", o.device, "number or part of the name, see `bench doctor`")
+  app.add_option("--device", o.device.selector, "number or part of the name, see `bench doctor`")
       ->type_name("N|NAME");
-  app.add_option("--shaders", o.shaderFolder,
+  app.add_option("--shaders", o.device.shaderFolder,
                  "compile the shaders of a folder instead of the built-in")
       ->type_name("DIR");
-  app.add_flag("--validate", o.validate,
+  app.add_flag("--validate", o.device.validate,
                "switch on the drivers' validation and our own (slower; results are marked)");
   app.add_flag("--quiet", o.quiet, "no progress line");
   addMaxMemory(app, o);
@@ -151,9 +151,11 @@ void addCommon(CLI::App& app, Options& o) {
 CLI::App* addReport(CLI::App& app, Options& o) {
   CLI::App* report =
       app.add_subcommand("report", "write the HTML page of results (no device needed)");
-  report->add_option("results", o.reportFile, "what --json wrote")->required()->type_name("FILE.json");
-  report->add_option("--output,-o", o.htmlFile, "the page [FILE.html]")->type_name("FILE");
-  report->add_option("--pictures", o.pictureFolder, "folder of the pictures [FILE.pictures]")
+  report->add_option("results", o.report.results, "what --json wrote")
+      ->required()
+      ->type_name("FILE.json");
+  report->add_option("--output,-o", o.files.html, "the page [FILE.html]")->type_name("FILE");
+  report->add_option("--pictures", o.report.pictures, "folder of the pictures [FILE.pictures]")
       ->type_name("DIR");
   return report;
 }

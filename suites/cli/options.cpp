@@ -33,74 +33,77 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   app.add_option("--filter", o.selection.filter, "only cells whose name matches")
       ->type_name("REGEX");
   addNumber(
-      app, "--budget", kBudgetSeconds, [&o](double v) { o.budgetSeconds = v; },
+      app, "--budget", kBudgetSeconds, [&o](double v) { o.measuring.budgetSeconds = v; },
       "seconds to measure each cell at most [3; of a suite: its own]", "SECONDS");
   addNumber(
-      app, "--precision", kPrecisionPercent, [&o](double v) { o.precisionPercent = v; },
+      app, "--precision", kPrecisionPercent, [&o](double v) { o.measuring.precisionPercent = v; },
       "stop when the 95 % interval of the median is within so much [5]", "PERCENT");
-  app.add_option("--json", o.jsonFile, "write all results (Google Benchmark's schema)")
+  app.add_option("--json", o.files.json, "write all results (Google Benchmark's schema)")
       ->type_name("FILE");
-  app.add_option("--csv", o.csvFile, "write one row a cell")->type_name("FILE");
-  app.add_option("--html", o.htmlFile, "write a report with pictures, one self-contained file")
+  app.add_option("--csv", o.files.csv, "write one row a cell")->type_name("FILE");
+  app.add_option("--html", o.files.html, "write a report with pictures, one self-contained file")
       ->type_name("FILE");
-  app.add_option("--suite", o.suite,
+  app.add_option("--suite", o.measuring.suite,
                  "measure the cells of a suite: " + joinedNames(builtinSuites()) +
                      ", or a file; stability: with --scene, the generic properties of that scene")
       ->type_name("NAME|FILE.toml");
   addNumber(
-      app, "--seeds", kSeedCount, [&o](double v) { o.seeds = uint32_t(v); },
+      app, "--seeds", kSeedCount, [&o](double v) { o.measuring.seeds = uint32_t(v); },
       "seeds that noise and bias of stochastic techniques are taken over [64; of a suite: its own]",
       "N");
   addExposure(app, o);
   app.add_option_function<std::string>(
          "--resume",
          [&o](const std::string& file) {
-           o.resume = true;
-           o.resumeFile = file == "beside --json" ? "" : file;
+           o.resume.wanted = true;
+           o.resume.file = file == "beside --json" ? "" : file;
          },
          "go on with a run that ended early: its journal, or its results; without a file the "
          "journal beside --json. Alone, it takes the arguments of that run")
       ->expected(0, 1)
       ->default_str("beside --json")
       ->type_name("[FILE]");
-  app.add_flag("--allow-skips", o.allowSkips,
+  app.add_flag("--allow-skips", o.measuring.allowSkips,
                "exit with 0 although cells were skipped for want of memory");
-  app.add_flag("!--no-truth", o.truth, "no errors: nothing is ray-traced");
-  app.add_flag("!--no-cache", o.cache, "trace truths anew, and keep none");
+  app.add_flag("!--no-truth", o.measuring.truth, "no errors: nothing is ray-traced");
+  app.add_flag("!--no-cache", o.cache.used, "trace truths anew, and keep none");
   app.add_flag("--list", o.list, "print the names of the cells and stop");
 
   CLI::App* render = app.add_subcommand("render", "write the picture of one cell as PNG and EXR");
   addSelection(*render, o);
   addCommon(*render, o);
-  render->add_option("--output,-o", o.outputPrefix, "path without extension [render]")
+  render->add_option("--output,-o", o.picture.prefix, "path without extension [render]")
       ->type_name("PREFIX");
   render->add_flag(
-      "--visibility", o.visibility,
-      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on four "
-      "layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
+      "--visibility", o.picture.visibility,
+      "also PREFIX.visibility.exr, what arrives of each light on the first opaque surface and on "
+      "four layers (lightN.opaque, lightN.layerM), and PREFIX.visibility.png, all of them to look at");
   addExposure(*render, o);
 
   CLI::App* scene = app.add_subcommand("scene", "say what is in a scene and what it calls for");
-  scene->add_option("scene", o.sceneName, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
+  scene->add_option("scene", o.scene.name, "NAME[:param=value,...] or FILE.gltf or FILE.glb")
       ->required()
       ->type_name("SCENE");
   addFileOptions(*scene, o);
-  scene->add_flag("--json", o.sceneJson, "as JSON");
-  scene->add_option("--export", o.exportFile, "write the scene as a .glb file")->type_name("FILE");
+  scene->add_flag("--json", o.scene.json, "as JSON");
+  scene->add_option("--export", o.scene.exportFile, "write the scene as a .glb file")
+      ->type_name("FILE");
 
   CLI::App* truth =
       app.add_subcommand("truth", "write the ray-traced truth of a scene: its picture and "
                                     "its edges, and the visibility of all lights in one EXR");
   addScene(*truth, o);
   addMaxMemory(*truth, o);
-  truth->add_option("--output,-o", o.outputPrefix, "path without extension [truth]")
+  truth->add_option("--output,-o", o.picture.prefix, "path without extension [truth]")
       ->type_name("PREFIX");
   addExposure(*truth, o);
-  truth->add_flag("!--no-cache", o.cache, "trace anew, and keep nothing");
+  truth->add_flag("!--no-cache", o.cache.used, "trace anew, and keep nothing");
   truth->add_flag("--quiet", o.quiet, "no progress line");
   CLI::App* cache = app.add_subcommand("cache", "say how many truths and unfinished runs are kept on disk, and where");
-  cache->add_flag("--clear", o.clearCache, "remove them: the truths, and journals of runs that ended early (not those beside a "
-                  "--json file, nor of runs under way)");
+  cache->add_flag(
+      "--clear", o.cache.clear,
+      "remove them: the truths, and journals of runs that ended early (not those beside a "
+      "--json file, nor of runs under way)");
 
   CLI::App* doctor =
       app.add_subcommand("doctor", "list devices, drivers, features and timer facts");
@@ -132,7 +135,7 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   if (cache->parsed()) o.command = Command::Cache;
   if (truth->parsed()) {
     o.command = Command::Truth;
-    if (truth->count("--output") == 0) o.outputPrefix = "truth";
+    if (truth->count("--output") == 0) o.picture.prefix = "truth";
   }
   if (report->parsed()) o.command = Command::Report;
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())

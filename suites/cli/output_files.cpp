@@ -20,13 +20,13 @@ using Files = std::vector<std::pair<std::string, std::string>>;
 Files inputFiles(const Options& o) {
   Files files;
   std::vector<std::string> scenes = o.selection.scenes;
-  if (o.command == Command::Scene) scenes.push_back(o.sceneName);
+  if (o.command == Command::Scene) scenes.push_back(o.scene.name);
   for (const std::string& scene : scenes) {
     files.emplace_back("the scene", scene);
     files.emplace_back("the scene", scene.substr(0, scene.rfind('?')));
   }
-  if (o.suite.ends_with(".toml")) files.emplace_back("--suite", o.suite);
-  if (o.command == Command::Report) files.emplace_back("the results", o.reportFile);
+  if (o.measuring.suite.ends_with(".toml")) files.emplace_back("--suite", o.measuring.suite);
+  if (o.command == Command::Report) files.emplace_back("the results", o.report.results);
   std::error_code ignored;
   std::erase_if(files, [&](const auto& f) { return !fs::is_regular_file(f.second, ignored); });
   return files;
@@ -34,10 +34,10 @@ Files inputFiles(const Options& o) {
 
 /// Files that come beside those that are named.
 Files companions(const Options& o) {
-  if (o.command != Command::Measure || o.jsonFile.empty() || base::isSpecialFile(o.jsonFile))
+  if (o.command != Command::Measure || o.files.json.empty() || base::isSpecialFile(o.files.json))
     return {};
-  return {{"the journal of --json", report::journalBeside(o.jsonFile).string()},
-          {"the pictures of --json", report::picturesBeside(o.jsonFile).string()}};
+  return {{"the journal of --json", report::journalBeside(o.files.json).string()},
+          {"the pictures of --json", report::picturesBeside(o.files.json).string()}};
 }
 
 }  // namespace
@@ -55,26 +55,26 @@ Files outputFiles(const Options& o) {
   };
   switch (o.command) {
     case Command::Measure:
-      add("--json", o.jsonFile);
-      add("--csv", o.csvFile);
-      add("--html", o.htmlFile);
+      add("--json", o.files.json);
+      add("--csv", o.files.csv);
+      add("--html", o.files.html);
       add("--benchmark_out", o.benchmark.outFile);
       break;
     case Command::Render:
     case Command::Truth:
-      add("--output", o.outputPrefix + ".png");
-      add("--output", o.outputPrefix + ".exr");
-      if (o.command == Command::Truth) add("--output", o.outputPrefix + ".edges.png");
-      if (o.command == Command::Truth || o.visibility)
-        for (const std::string& path : visibilityFiles(o.outputPrefix)) add("--output", path);
+      add("--output", o.picture.prefix + ".png");
+      add("--output", o.picture.prefix + ".exr");
+      if (o.command == Command::Truth) add("--output", o.picture.prefix + ".edges.png");
+      if (o.command == Command::Truth || o.picture.visibility)
+        for (const std::string& path : visibilityFiles(o.picture.prefix)) add("--output", path);
       break;
     case Command::Scene:
-      add("--export", o.exportFile);
+      add("--export", o.scene.exportFile);
       break;
     case Command::Report:
-      add("--output", o.htmlFile.empty()
-                          ? fs::path(o.reportFile).replace_extension(".html").string()
-                          : o.htmlFile);
+      add("--output", o.files.html.empty()
+                          ? fs::path(o.report.results).replace_extension(".html").string()
+                          : o.files.html);
       break;
     case Command::Doctor:
     case Command::Cache:
@@ -84,7 +84,7 @@ Files outputFiles(const Options& o) {
 }
 
 void requireOutputs(const Options& options, const Scene& scene) {
-  const auto ofLights = visibilityFiles(options.outputPrefix);
+  const auto ofLights = visibilityFiles(options.picture.prefix);
   for (const auto& [option, path] : outputFiles(options)) {
     const bool ofLight = std::ranges::find(ofLights, path) != ofLights.end();
     if (!ofLight || !scene.lights.empty()) requireWritable(option, path);

@@ -16,15 +16,15 @@ namespace sb {
 namespace fs = std::filesystem;
 
 fs::path picturesOf(const Options& options, const fs::path& journal) {
-  if (!options.jsonFile.empty() && !base::isSpecialFile(options.jsonFile))
-    return report::picturesBeside(options.jsonFile);
-  return options.htmlFile.empty() ? fs::path() : report::picturesBeside(journal);
+  if (!options.files.json.empty() && !base::isSpecialFile(options.files.json))
+    return report::picturesBeside(options.files.json);
+  return options.files.html.empty() ? fs::path() : report::picturesBeside(journal);
 }
 
 Outputs::Outputs(const Options& options) : m_options(options) {
   for (const auto& [option, path] : outputFiles(options)) requireWritable(option, path);
   std::error_code error;
-  const fs::path folder = options.jsonFile.empty() ? fs::path() : picturesOf(options, "");
+  const fs::path folder = options.files.json.empty() ? fs::path() : picturesOf(options, "");
   if (folder.empty() || !fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error))
     throw InputError("--json", "found a file " + folder.string() +
@@ -80,9 +80,9 @@ bool Outputs::write(const report::Run& run) {
       all = false;
     }
   };
-  put("--json", m_options.jsonFile, [&] { return report::toJson(run); });
-  put("--csv", m_options.csvFile, [&] { return report::toCsv(run); });
-  put("--html", m_options.htmlFile, [&] { return reportPage(run, m_pictures); });
+  put("--json", m_options.files.json, [&] { return report::toJson(run); });
+  put("--csv", m_options.files.csv, [&] { return report::toCsv(run); });
+  put("--html", m_options.files.html, [&] { return reportPage(run, m_pictures); });
   return all;
 }
 

@@ -35,10 +35,10 @@ Platform makePlatform(const Options& options) {
   platform.owned.push_back(vulkan::makeBackend());
   platform.owned.push_back(opengl::makeBackend(opengl::ContextKind::Egl));
   platform.owned.push_back(opengl::makeBackend(opengl::ContextKind::OSMesa));
-  if (options.shaderFolder.empty())
+  if (options.device.shaderFolder.empty())
     shadowbench_shader_blob::addTo(platform.shaders);
   else
-    platform.shaders = shader::compileFolder(options.shaderFolder);
+    platform.shaders = shader::compileFolder(options.device.shaderFolder);
   return platform;
 }
 
@@ -48,7 +48,7 @@ void requireWritable(const std::string& option, const std::string& path) {
 }
 
 std::vector<std::string> defaultBackends(const Options& options) {
-  return {"vulkan", options.gl == "osmesa" ? "opengl-osmesa" : "opengl"};
+  return {"vulkan", options.device.gl == "osmesa" ? "opengl-osmesa" : "opengl"};
 }
 
 }  // namespace sb

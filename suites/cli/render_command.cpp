@@ -19,7 +19,7 @@ CellId oneCell(const Options& options, const Platform& platform, Devices& device
   Selection selection = options.selection;
   if (selection.techniques.empty()) selection.techniques = {"CSSM2"};
   for (const std::string& name : selection.techniques)
-    if (name.starts_with(kReferenceTechnique))
+    if (isReference(parseTechniques(name)))
       throw InputError("--technique", "found " + name + ", which `bench truth` traces: `render` is "
                                       "for what draws on a device");
   if (selection.scenes.empty()) selection.scenes = {"layers"};
@@ -52,7 +52,7 @@ void writeVisibility(const Options& options, Renderer& renderer, rhi::Extent2D s
   for (const auto& [light, images] : lights)
     for (uint32_t layer = 0; layer < images.size(); ++layer)
       layers[{light, layer}] = &images[layer];
-  sb::writeVisibility(options.outputPrefix, size, std::move(layers));
+  sb::writeVisibility(options.picture.prefix, size, std::move(layers));
 }
 
 }  // namespace
@@ -61,14 +61,14 @@ int renderCommand(const Options& options) {
   limitMemory(options);
   Platform platform = makePlatform(options);
   Devices devices(platform.backends(), platform.shaders,
-                  {.selector = options.device, .validate = options.validate});
+                  {.selector = options.device.selector, .validate = options.device.validate});
   const CellId id = oneCell(options, platform, devices);
   DeviceSession* session = devices.open(id.backend);
   const Scene scene = makeScene(id.scene);
   for (const std::string& w : scene.warnings) say(w);
   requireOutputs(options, scene);
   requireMemory(scene, {id.width, id.height},
-                options.visibility ? Made::VisibilityFiles : Made::Picture);
+                options.picture.visibility ? Made::VisibilityFiles : Made::Picture);
   Stage stage(scene, {id.width, id.height});
   if (auto skip = stage.unsupported(*session->device, rendererDesc(id)))
     throw rhi::Error("render", "", cellName(id) + ": " + skip->reason);
@@ -78,11 +78,11 @@ int renderCommand(const Options& options) {
   const report::Picture picture{id.width, id.height, renderer->readImage()};
   if (const uint64_t bad = countNonFinite(picture))
     say("warning: " + std::to_string(bad) + " values of the picture are not finite");
-  report::writePng(options.outputPrefix + ".png", picture,
+  report::writePng(options.picture.prefix + ".png", picture,
                    options.exposure.value_or(automaticExposure(picture)));
-  report::writeExr(options.outputPrefix + ".exr", picture);
-  print(options.outputPrefix + ".png " + options.outputPrefix + ".exr\n");
-  if (options.visibility) writeVisibility(options, *renderer, {id.width, id.height});
+  report::writeExr(options.picture.prefix + ".exr", picture);
+  print(options.picture.prefix + ".png " + options.picture.prefix + ".exr\n");
+  if (options.picture.visibility) writeVisibility(options, *renderer, {id.width, id.height});
   int code = 0;
   for (const rhi::Message& m : session->device->takeMessages()) {
     say(m.source + " [" + m.rule + "] " + m.text);

@@ -41,18 +41,18 @@ std::string reportPage(const report::Run& run, const std::filesystem::path& pict
 }
 
 int reportCommand(const Options& options) {
-  const fs::path json = options.reportFile;
-  std::string html = options.htmlFile;
+  const fs::path json = options.report.results;
+  std::string html = options.files.html;
   if (html.empty()) html = fs::path(json).replace_extension(".html");
   requireWritable("--output", html);
-  const fs::path pictures = options.pictureFolder.empty() ? report::picturesBeside(json)
-                                                          : fs::path(options.pictureFolder);
+  const fs::path pictures = options.report.pictures.empty() ? report::picturesBeside(json)
+                                                            : fs::path(options.report.pictures);
   std::error_code error;
-  if (!options.pictureFolder.empty() && !fs::is_directory(pictures, error))
+  if (!options.report.pictures.empty() && !fs::is_directory(pictures, error))
     throw InputError("--pictures", "found no folder '" + pictures.string() + "'");
   report::Run run;
   try {
-    run = report::fromJson(readText(options.reportFile), options.reportFile);
+    run = report::fromJson(readText(options.report.results), options.report.results);
   } catch (const report::ReadError& e) {
     throw InputError("", e.what());
   }

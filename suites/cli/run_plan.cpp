@@ -16,7 +16,7 @@ namespace {
 /// Without cells named one by one, the suite `quick`.
 std::string suiteOf(const Options& options) {
   const Selection& s = options.selection;
-  if (!options.suite.empty()) return options.suite;
+  if (!options.measuring.suite.empty()) return options.measuring.suite;
   const bool named =
       !(s.techniques.empty() && s.scenes.empty() && s.sets.empty() && s.edits.empty());
   return named ? "" : "quick";
@@ -37,18 +37,18 @@ void requireFitting(const Selection& s, const Suite& suite) {
 MeasureSettings settingsOf(const Options& options, const Suite& suite) {
   MeasureSettings s;
   s.budgetSeconds =
-      options.budgetSeconds.value_or(suite.budgetSeconds.value_or(kDefaultBudgetSeconds));
+      options.measuring.budgetSeconds.value_or(suite.budgetSeconds.value_or(kDefaultBudgetSeconds));
   s.budgetSeconds = std::max(s.budgetSeconds, options.benchmark.minSeconds);
-  s.stop.precision = options.precisionPercent.value_or(
+  s.stop.precision = options.measuring.precisionPercent.value_or(
                          suite.precisionPercent.value_or(kDefaultPrecisionPercent)) /
                      100;
   // A minimum of time is a wish for more than precision alone would give.
   if (options.benchmark.minSeconds > 0) s.stop.precision = 0;
   s.stop.repetitions = options.benchmark.repetitions;
-  s.judge.enabled = options.truth;
-  s.judge.seeds = options.seeds.value_or(suite.seeds.value_or(kDefaultSeeds));
+  s.judge.enabled = options.measuring.truth;
+  s.judge.seeds = options.measuring.seeds.value_or(suite.seeds.value_or(kDefaultSeeds));
   s.judge.exposure = options.exposure;
-  if (options.cache) s.judge.cache = truthCacheFolder();
+  if (options.cache.used) s.judge.cache = truthCacheFolder();
   return s;
 }
 
@@ -67,8 +67,8 @@ RunPlan planRun(const Options& options, const std::vector<std::string>& known) {
     Selection all = options.selection;
     all.filter.clear();
     const auto cells = suiteCells(suite, all, known, defaults);
-    if (options.seeds)
-      for (StabilityRun& run : suite.stability) run.seeds = *options.seeds;
+    if (options.measuring.seeds)
+      for (StabilityRun& run : suite.stability) run.seeds = *options.measuring.seeds;
     const auto jobs = stabilityJobs(suite, all, defaults);
     std::vector<std::string> names;
     for (const CellId& id : cells) names.push_back(cellName(id));

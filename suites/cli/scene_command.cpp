@@ -9,12 +9,12 @@
 namespace sb {
 
 int sceneCommand(const Options& options) {
-  std::string spec = options.sceneName;
+  std::string spec = options.scene.name;
   for (const std::string& edit : options.selection.edits) spec = withEdit(spec, edit);
   const Scene scene = makeScene(spec);
   const Effects effects = analyse(scene, 1.0);
-  if (!options.exportFile.empty()) exportGlb(scene, options.exportFile);
-  if (options.sceneJson)
+  if (!options.scene.exportFile.empty()) exportGlb(scene, options.scene.exportFile);
+  if (options.scene.json)
     print(describeJson(scene, effects).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
           "\n");
   else

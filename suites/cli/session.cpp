@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool keepsJson(const Options& o) {
-  return !o.jsonFile.empty() && !base::isSpecialFile(o.jsonFile);
+  return !o.files.json.empty() && !base::isSpecialFile(o.files.json);
 }
 
 /// Of runs without a JSON file to lie beside.
@@ -62,9 +62,9 @@ void setAside(const fs::path& path) {
 }  // namespace
 
 fs::path journalToResume(const Options& options) {
-  if (options.resumeFile.empty() && !keepsJson(options))
+  if (options.resume.file.empty() && !keepsJson(options))
     throw InputError("--resume", "found neither a file nor --json, expected a journal or results");
-  const fs::path named = options.resumeFile.empty() ? options.jsonFile : options.resumeFile;
+  const fs::path named = options.resume.file.empty() ? options.files.json : options.resume.file;
   std::error_code error;
   if (named.extension() != ".json" && fs::is_regular_file(named, error)) return named;
   const fs::path beside = report::journalBeside(named);
@@ -75,10 +75,10 @@ fs::path journalToResume(const Options& options) {
 }
 
 Options resolveResume(const Options& given) {
-  if (!given.resume) return given;
+  if (!given.resume.wanted) return given;
   // Everything but the option itself, its file and --quiet is a run of its own.
   const bool alone = std::ranges::all_of(given.arguments, [&](const std::string& a) {
-    return a.starts_with("--resume") || a == "--quiet" || a == given.resumeFile;
+    return a.starts_with("--resume") || a == "--quiet" || a == given.resume.file;
   });
   if (!alone) return given;
   const JournalHeader header = readJournal(journalToResume(given)).header;
@@ -88,8 +88,8 @@ Options resolveResume(const Options& given) {
   auto options = parseOptions(header.arguments);
   if (!options) throw InputError("--resume", "the journal names no run that measures");
   options->arguments = header.arguments;
-  options->resume = true;
-  options->resumeFile = fs::absolute(journalToResume(given)).string();
+  options->resume.wanted = true;
+  options->resume.file = fs::absolute(journalToResume(given)).string();
   options->quiet |= given.quiet;
   return *options;
 }
@@ -118,16 +118,18 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
   JournalHeader h{.arguments = options.arguments,
                   .folder = fs::current_path().string(),
                   .program = run.version + " " + run.commit + " " + run.buildType};
-  h.settings = {{"budget", base::numberText(settings.budgetSeconds)},
-                {"precision", base::numberText(settings.stop.precision)},
-                {"repetitions", std::to_string(settings.stop.repetitions)},
-                {"seeds", std::to_string(settings.judge.seeds)},
-                {"truth", settings.judge.enabled ? "yes" : "no"},
-                {"exposure", settings.judge.exposure
-                                 ? base::numberText(double(*settings.judge.exposure))
-                                 : "automatic"},
-                {"validation", options.validate ? "yes" : "no"},
-                {"shaders", options.shaderFolder.empty() ? "built-in" : folderIdentity(options.shaderFolder)}};
+  h.settings = {
+      {"budget", base::numberText(settings.budgetSeconds)},
+      {"precision", base::numberText(settings.stop.precision)},
+      {"repetitions", std::to_string(settings.stop.repetitions)},
+      {"seeds", std::to_string(settings.judge.seeds)},
+      {"truth", settings.judge.enabled ? "yes" : "no"},
+      {"exposure",
+       settings.judge.exposure ? base::numberText(double(*settings.judge.exposure)) : "automatic"},
+      {"validation", options.device.validate ? "yes" : "no"},
+      {"shaders", options.device.shaderFolder.empty()
+                      ? "built-in"
+                      : folderIdentity(options.device.shaderFolder)}};
   if (const std::string width = vectorWidth(); !width.empty()) h.settings["vector width"] = width;
   std::set<std::string> backends;
   for (const CellId& cell : cells) {
@@ -150,14 +152,14 @@ JournalHeader describeRun(const Options& options, const MeasureSettings& setting
     h.devices[backend] = session ? session->device->info().name + ", " +
                                        session->device->info().driver + " " +
                                        session->device->info().driverVersion
-                                 : "none";
+                                 : "no device";
   }
   return h;
 }
 
 Session::Session(const Options& options, const JournalHeader& header)
-    : m_resumed(options.resume) {
-  if (options.resume) {
+    : m_resumed(options.resume.wanted) {
+  if (options.resume.wanted) {
     const fs::path path = journalToResume(options);
     m_earlier = readJournal(path);
     const auto different = differences(m_earlier.header, header);
@@ -174,7 +176,7 @@ Session::Session(const Options& options, const JournalHeader& header)
   }
   fs::path path;
   if (keepsJson(options)) {
-    path = report::journalBeside(options.jsonFile);
+    path = report::journalBeside(options.files.json);
     setAside(path);
   } else {
     const fs::path folder = ownFolder(report::describeMachine("bench", ""));
@@ -197,34 +199,29 @@ void Session::finish(const fs::path& pictures) {
   fs::remove(m_journal->path().parent_path(), ignored);
 }
 
-std::vector<std::vector<CellId>> groupsLeft(const std::vector<std::vector<CellId>>& groups,
-                                            const JournalContent& earlier) {
-  const auto isDone = [&](const CellId& id) { return earlier.cells.contains(cellName(id)); };
-  std::vector<std::vector<CellId>> left;
-  for (const std::vector<CellId>& group : groups) {
-    std::set<std::string> compared;
-    for (const CellId& id : group) {
-      if (id.companion || isDone(id)) continue;
-      compared.insert(cellName(baselineOf(id)));
-      // The tracer is told against whatever has no shadows.
-      for (const CellId& other : group)
-        if (isReference(id) && other.technique == "none") compared.insert(cellName(other));
-      // The same cell elsewhere.
-      for (CellId other : group) {
-        const std::string name = cellName(other);
-        other.backend = id.backend;
-        if (cellName(other) == cellName(id)) compared.insert(name);
+std::vector<std::vector<GroupCell>> groupsLeft(const std::vector<std::vector<GroupCell>>& groups,
+                                               const JournalContent& earlier) {
+  const auto isDone = [&](const CellId& id) { return earlier.cells.contains(recordedId(id)); };
+  std::vector<std::vector<GroupCell>> left;
+  for (const std::vector<GroupCell>& group : groups) {
+    std::set<CellId> compared;
+    for (const auto& [id, companion] : group) {
+      if (companion || isDone(id)) continue;
+      if (!isReference(id)) compared.insert(baselineOf(id));
+      for (const GroupCell& other : group) {
+        // The tracer is told against whatever has no shadows.
+        const bool isBaseline = isReference(id) && roleOf(other.id) == report::Role::Baseline;
+        // The same cell elsewhere.
+        if (isBaseline || onAnyBackend(other.id) == onAnyBackend(id)) compared.insert(other.id);
       }
     }
-    std::vector<CellId> rest;
-    for (CellId id : group) {
+    std::vector<GroupCell> rest;
+    for (const auto& [id, companion] : group) {
       const bool done = isDone(id);
-      if (done && !compared.contains(cellName(id))) continue;
-      if (id.companion && !compared.contains(cellName(id))) continue;
-      id.companion |= done;
-      rest.push_back(std::move(id));
+      if ((done || companion) && !compared.contains(id)) continue;
+      rest.emplace_back(id, companion || done);
     }
-    if (std::ranges::any_of(rest, [](const CellId& id) { return !id.companion; }))
+    if (std::ranges::any_of(rest, [](const GroupCell& c) { return !c.companion; }))
       left.push_back(std::move(rest));
   }
   return left;

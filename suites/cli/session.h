@@ -43,7 +43,7 @@ class Session {
 
 /// Cells that are yet to be measured, as groups: what is finished stands among them as companions
 /// where others are compared with it.
-std::vector<std::vector<CellId>> groupsLeft(const std::vector<std::vector<CellId>>& groups,
-                                            const JournalContent& earlier);
+std::vector<std::vector<GroupCell>> groupsLeft(const std::vector<std::vector<GroupCell>>& groups,
+                                               const JournalContent& earlier);
 
 }  // namespace sb

@@ -26,7 +26,7 @@ namespace sb {
 namespace {
 
 void writeAll(const Options& options, const Scene& scene, const Truth& truth) {
-  const std::string& prefix = options.outputPrefix;
+  const std::string& prefix = options.picture.prefix;
   const report::Picture image{truth.width, truth.height, truth.image};
   report::writePng(prefix + ".png", image, options.exposure.value_or(automaticExposure(image)));
   report::writeExr(prefix + ".exr", image);
@@ -51,7 +51,7 @@ int truthCommand(const Options& options) {
   Selection selection = options.selection;
   if (selection.scenes.size() > 1)
     throw InputError("--scene", "found several scenes, expected one");
-  selection.techniques = {kReferenceTechnique};
+  selection.techniques = {referenceInfo().name};
   if (selection.scenes.empty()) selection.scenes = {"layers"};
   const CellId id = selectCells(selection, {}, {}).front();
   limitMemory(options);
@@ -61,7 +61,7 @@ int truthCommand(const Options& options) {
   for (const std::string& w : scene.warnings) say(w);
   const std::string key = truthKey(sceneHash(scene), id.width, id.height);
   std::optional<Truth> truth;
-  if (options.cache) truth = readTruth(truthCacheFolder(), key);
+  if (options.cache.used) truth = readTruth(truthCacheFolder(), key);
   const bool cached = truth.has_value();
   if (!cached) {
     watchInterrupts();
@@ -73,7 +73,7 @@ int truthCommand(const Options& options) {
                     .interrupted = &interrupted(),
                     .progress = [&](double done) { progress.update(id.scene, "trace", done); }});
     if (!truth) return interruptExitCode();
-    if (options.cache) writeTruth(truthCacheFolder(), key, *truth);
+    if (options.cache.used) writeTruth(truthCacheFolder(), key, *truth);
   }
   writeAll(options, scene, *truth);
   print(fmt::format("{} rays in {:.2f} s: {:.2f} million a second{}\n", truth->rays, truth->seconds,
@@ -86,14 +86,14 @@ int truthCommand(const Options& options) {
 
 int cacheCommand(const Options& options) {
   const auto folder = truthCacheFolder();
-  const CacheUse use = options.clearCache ? clearCache(folder) : cacheUse(folder);
+  const CacheUse use = options.cache.clear ? clearCache(folder) : cacheUse(folder);
   print(fmt::format("{}: {} truths, {:.1f} MiB{}\n", folder.string(), use.files,
-                    double(use.bytes) / (1 << 20), options.clearCache ? ", removed" : ""));
-  const UnfinishedRuns runs = options.clearCache ? clearUnfinishedRuns() : unfinishedRuns();
+                    double(use.bytes) / (1 << 20), options.cache.clear ? ", removed" : ""));
+  const UnfinishedRuns runs = options.cache.clear ? clearUnfinishedRuns() : unfinishedRuns();
   const std::string where = unfinishedRunsFolder().string();
   if (runs.ended > 0)
     print(fmt::format("{}: {} runs that ended early{}\n", where, runs.ended,
-                      options.clearCache ? ", removed" : " (bench --resume FOLDER/run.journal)"));
+                      options.cache.clear ? ", removed" : " (bench --resume FOLDER/run.journal)"));
   if (runs.underWay > 0) print(fmt::format("{}: {} runs under way\n", where, runs.underWay));
   return 0;
 }

@@ -41,7 +41,7 @@ ActiveCell::ActiveCell(CellResult& result, std::unique_ptr<Subject> subject,
   m_untimedPicture = contentHashOf(m_subject->picture());
   takeMessages();
   if (!settings.earlierBlocks) return;
-  const auto earlier = settings.earlierBlocks->find(result.record.name);
+  const auto earlier = settings.earlierBlocks->find(result.record.id);
   if (earlier == settings.earlierBlocks->end()) return;
   m_samples.blocks = earlier->second;
   for (const SampleBlock& block : m_samples.blocks)
@@ -112,7 +112,7 @@ void ActiveCell::measureBlock() {
   }
   if (m_subject->pipelines() != pipelines)
     addOnce(m_result->record.contamination, "a pipeline was created within a timed frame");
-  if (m_settings->onBlock) m_settings->onBlock(m_result->record.name, m_samples.blocks.back());
+  if (m_settings->onBlock) m_settings->onBlock(m_result->record.id, m_samples.blocks.back());
   takeMessages();
 }
 

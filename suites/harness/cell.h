@@ -1,55 +1,53 @@
-// A cell of the matrix as plain data. Running it depends on nothing else, so that it can be handed
-// to another process or machine, and its name reproduces it.
+// Cells of the matrix (reports/cell_id.h) and the techniques that draw them: running a cell depends
+// on nothing else, so that it can be handed to another process or machine, and its name reproduces
+// it.
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
-#include <vector>
 
-#include "techniques/plan/knobs.h"
+#include "reports/cell_id.h"
+#include "techniques/render/technique.h"
 
 namespace sb {
 
-struct TechniqueInfo;
+using report::CellId;
+using report::cellName;
+using report::kDefaultLights;
+using report::kDefaultTransparency;
+using report::kTracerBackend;
+using report::techniqueName;
 
 /// Of stochastic techniques, where nothing else is asked for.
 inline constexpr uint32_t kDefaultSeeds = 64;
 
-struct CellId {
-  std::string technique;     ///< "CSSM2"
-  std::string transparency;  ///< "Sorted"
-  std::string backend;       ///< "vulkan", "opengl", "opengl-osmesa"
-  std::string scene;         ///< canonical: "spheres_quads:quads=500" or a file's path
-  std::map<std::string, std::string> knobs;  ///< those given; the rest are defaults
-  uint32_t width = 512;
-  uint32_t height = 512;
-  uint32_t seed = 0;
-  /// Measured for comparison only: not asked for, not reported.
-  bool companion = false;
-};
+/// The truth's tracer as a row of the comparison, in the words of techniques: on the CPU, whatever
+/// the backends.
+const TechniqueInfo& referenceInfo();
+bool isReference(const CellId& id);
+report::Role roleOf(const CellId& id);
 
-/// TECHNIQUE[+TRANSPARENCY]/backend/scene:params/knob:value.../WxH; default values left out; the
-/// seed stands as "seed:N" among the knobs when it is not 0. Throws InputError on a bad knob.
-std::string cellName(const CellId& id);
+/// A cell of which only the techniques are known: those that TECHNIQUE[+TRANSPARENCY][@LIGHTS]
+/// names, or the tracer. Throws InputError naming the nearest.
+CellId parseTechniques(const std::string& text);
+
+/// What draws a cell. Throws InputError for names that do not exist, so too for the tracer's.
+TechniqueSet techniquesOf(const CellId& id);
+/// Knobs that the cell's techniques have.
+std::vector<KnobInfo> knobInfosOf(const CellId& id);
+/// Their values. Throws InputError.
+Knobs cellKnobs(const CellId& id);
+/// The cell with these values, whatever it had. Throws InputError.
+CellId withKnobs(CellId id, const std::map<std::string, std::string>& values);
 
 /// The cell that this one's cost is told against: the same without shadows.
 CellId baselineOf(const CellId& id);
-
-/// Knobs of the pair with the cell's values. Throws InputError.
-Knobs cellKnobs(const CellId& id);
+/// What a cell has in common with itself on other backends.
+CellId onAnyBackend(CellId id);
+/// As records and journals have it: their texts are UTF-8, names of files need not be.
+CellId recordedId(CellId id);
 
 /// The command line that measures this cell again; `seeds`: over which noise is taken.
 std::string cellCommand(const CellId& id, uint32_t seeds = kDefaultSeeds);
-
-/// The transparency technique that names leave out.
-inline constexpr const char* kDefaultTransparency = "Sorted";
-
-/// The truth's tracer as a row of the comparison: on the CPU, whatever the backends; no knobs.
-inline constexpr const char* kReferenceTechnique = "RayTraced";
-inline constexpr const char* kReferenceBackend = "cpu";
-inline bool isReference(const CellId& id) { return id.technique == kReferenceTechnique; }
-/// What the reference is and its knobs, in the words of techniques.
-const TechniqueInfo& referenceInfo();
 
 }  // namespace sb

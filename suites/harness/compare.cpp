@@ -12,10 +12,8 @@ using report::Record;
 
 bool isOk(const Measured& m) { return m.result->record.status == report::Status::Ok; }
 
-bool isSameOnOtherBackend(const CellId& a, CellId b) {
-  if (a.backend == b.backend) return false;
-  b.backend = a.backend;
-  return cellName(a) == cellName(b);
+bool isSameOnOtherBackend(const CellId& a, const CellId& b) {
+  return a.backend != b.backend && onAnyBackend(a) == onAnyBackend(b);
 }
 
 void comparePictures(Record& record, const report::Picture& mine, const report::Picture& other) {
@@ -29,9 +27,8 @@ void comparePictures(Record& record, const report::Picture& mine, const report::
 /// Is `b` what the cost of `a` is told against? The reference, which runs on no backend, has the
 /// first one that is compared by CPU time as it is.
 bool isBaseline(const Measured& a, const Measured& b, const Record& record) {
-  if (!isReference(a.result->id))
-    return b.result->record.name == cellName(baselineOf(a.result->id));
-  return b.result->id.technique == "none" && b.software && record.ratios.empty();
+  if (!isReference(a.result->id)) return b.result->id == baselineOf(a.result->id);
+  return roleOf(b.result->id) == report::Role::Baseline && b.software && record.ratios.empty();
 }
 
 report::Ratio ratioOf(const Measured& a, const Measured& b) {

@@ -11,7 +11,6 @@
 #include "suites/harness/load_watch.h"
 #include "suites/harness/plausible.h"
 #include "suites/harness/scene_hash.h"
-#include "suites/harness/selection.h"
 #include "suites/harness/verify.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
@@ -27,15 +26,10 @@ constexpr const char* kNotCompared =
 
 report::Record recordOf(const CellId& id, const std::string& sceneHash, uint32_t seeds,
                         const std::string& version) {
-  report::Record r = {.name = cellName(id),
-                      .technique = id.technique,
-                      .transparency = id.transparency,
-                      .backend = id.backend,
-                      .scene = id.scene,
+  report::Record r = {.id = recordedId(id),
+                      .name = cellName(id),
+                      .role = roleOf(id),
                       .sceneHash = sceneHash,
-                      .width = id.width,
-                      .height = id.height,
-                      .seed = id.seed,
                       .version = version,
                       .command = cellCommand(id, seeds)};
   const Knobs knobs = cellKnobs(id);
@@ -43,26 +37,23 @@ report::Record recordOf(const CellId& id, const std::string& sceneHash, uint32_t
   return r;
 }
 
-/// The name that a cell has in common with itself on other backends.
-std::string familyOf(CellId id) {
-  id.backend = "*";
-  return cellName(id);
-}
-
 /// Cells that are measured together.
 class Group {
  public:
-  Group(const std::vector<CellId>& cells, Devices& devices, const MeasureSettings& settings,
+  Group(const std::vector<GroupCell>& cells, Devices& devices, const MeasureSettings& settings,
         const std::string& version)
       : m_devices(devices),
         m_settings(settings),
-        m_scene(makeScene(cells.front().scene)),
-        m_stage(m_scene, {cells.front().width, cells.front().height}),
+        m_scene(makeScene(cells.front().id.scene)),
+        m_stage(m_scene, {cells.front().id.width, cells.front().id.height}),
         m_context{devices, m_stage, settings.checkTimers},
-        m_judge(m_scene, sceneHash(m_scene), {cells.front().width, cells.front().height},
+        m_judge(m_scene, sceneHash(m_scene), {cells.front().id.width, cells.front().id.height},
                 withProgress(settings.judge)) {
-    for (const CellId& id : cells)
-      m_results.push_back({id, recordOf(id, m_judge.sceneHash(), settings.judge.seeds, version), {}, {}, false});
+    for (const auto& [id, companion] : cells)
+      m_results.push_back(
+          {.id = id,
+           .companion = companion,
+           .record = recordOf(id, m_judge.sceneHash(), settings.judge.seeds, version)});
     m_active.reserve(m_results.size());
   }
 
@@ -88,13 +79,13 @@ class Group {
     }
     compare();
     std::erase_if(m_results, [&](const CellResult& r) {
-      return !r.finished || m_apart.contains(familyOf(r.id));
+      return !r.finished || m_apart.contains(onAnyBackend(r.id));
     });
     return std::move(m_results);
   }
 
   /// Families of cells that did not fit beside the others.
-  const std::set<std::string>& apart() const { return m_apart; }
+  const std::set<CellId>& apart() const { return m_apart; }
 
  private:
   JudgeSettings withProgress(JudgeSettings judge) {
@@ -135,7 +126,7 @@ class Group {
   }
 
   void prepare(CellResult& result) {
-    if (m_apart.contains(familyOf(result.id))) return;
+    if (m_apart.contains(onAnyBackend(result.id))) return;
     guarded(result, [&] {
       auto subject = makeSubject(result.id, m_context, result.record);
       if (subject) m_active.emplace_back(result, std::move(subject), m_settings);
@@ -143,10 +134,10 @@ class Group {
     const bool tooLarge = result.record.status == report::Status::Skipped &&
                           result.record.reason.starts_with(rhi::kTooLargeWords);
     // Beside nothing it is too large at all; a companion is not worth a group.
-    if (!tooLarge || m_active.empty() || result.id.companion) return;
-    const std::string family = familyOf(result.id);
+    if (!tooLarge || m_active.empty() || result.companion) return;
+    const CellId family = onAnyBackend(result.id);
     m_apart.insert(family);
-    std::erase_if(m_active, [&](ActiveCell& a) { return familyOf(a.result().id) == family; });
+    std::erase_if(m_active, [&](ActiveCell& a) { return onAnyBackend(a.result().id) == family; });
   }
 
   bool isOver(const ActiveCell& a) const { return !a.ok() || a.isSpent(); }
@@ -197,12 +188,14 @@ class Group {
     for (const std::string& why : {whyRefused(record), whyImplausible(a.samples(), a.software())})
       if (!why.empty()) return report::refuse(record, why);
     // Nobody asks how wrong a companion is.
-    if (!result.id.companion) m_judge.judge(a.subject(), result.id, result.picture, record, result.files);
+    if (!result.companion)
+      m_judge.judge(a.subject(), result.id, result.picture, record, result.files);
   }
 
   void tellVerified(const CellResult& result) {
-    if (!m_settings.onVerified || !result.finished || result.id.companion) return;
-    CellResult alone{result.id, result.record, {}, result.files, true};
+    if (!m_settings.onVerified || !result.finished || result.companion) return;
+    CellResult alone{
+        .id = result.id, .record = result.record, .files = result.files, .finished = true};
     if (alone.record.status == report::Status::Ok)
       for (const char* key : {"ratios", "cross_backend_max_255", "cross_backend_over_1_255"})
         alone.record.why[key] = kNotCompared;
@@ -234,26 +227,26 @@ class Group {
   Judge m_judge;
   std::vector<CellResult> m_results;
   std::vector<ActiveCell> m_active;
-  std::set<std::string> m_apart;
+  std::set<CellId> m_apart;
   size_t m_verified = 0;  ///< cells
 };
 
 /// Groups for what did not fit: all of it with baselines, or, where that was tried, each family
 /// alone, and then each cell.
-std::vector<std::vector<CellId>> smallerGroups(const std::vector<CellId>& cells,
-                                               const std::set<std::string>& apart) {
+std::vector<std::vector<GroupCell>> smallerGroups(const std::vector<GroupCell>& cells,
+                                                  const std::set<CellId>& apart) {
   std::vector<CellId> left;
   size_t asked = 0;
-  for (const CellId& id : cells) {
-    asked += !id.companion;
-    if (!id.companion && apart.contains(familyOf(id))) left.push_back(id);
+  for (const auto& [id, companion] : cells) {
+    asked += !companion;
+    if (!companion && apart.contains(onAnyBackend(id))) left.push_back(id);
   }
   const bool stuck = left.size() == asked;
-  std::map<std::string, std::vector<CellId>> parts;
+  std::map<CellId, std::vector<GroupCell>> parts;
   for (const CellId& id : left)
-    parts[!stuck ? "" : apart.size() > 1 ? familyOf(id) : cellName(id)].push_back(id);
-  std::vector<std::vector<CellId>> groups;
-  for (auto& [name, part] : parts) {
+    parts[!stuck ? CellId{} : apart.size() > 1 ? onAnyBackend(id) : id].push_back(id);
+  std::vector<std::vector<GroupCell>> groups;
+  for (auto& [key, part] : parts) {
     addBaselines(part);
     groups.push_back(std::move(part));
   }
@@ -262,22 +255,22 @@ std::vector<std::vector<CellId>> smallerGroups(const std::vector<CellId>& cells,
 
 }  // namespace
 
-std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
+std::vector<CellResult> measureGroup(const std::vector<GroupCell>& cells, Devices& devices,
                                      const MeasureSettings& settings, const std::string& version) {
   std::vector<CellResult> results;
-  std::vector<std::vector<CellId>> pending = {cells};
+  std::vector<std::vector<GroupCell>> pending = {cells};
   const auto isInterrupted = [&] { return settings.interrupted && settings.interrupted->load(); };
   for (bool first = true; !pending.empty() && (first || !isInterrupted()); first = false) {
-    const std::vector<CellId> part = std::move(pending.front());
+    const std::vector<GroupCell> part = std::move(pending.front());
     pending.erase(pending.begin());
-    std::set<std::string> apart;
+    std::set<CellId> apart;
     {
       Group group(part, devices, settings, version);
       for (CellResult& r : group.run()) {
-        if (!first && !r.id.companion)
+        if (!first && !r.companion)
           addOnce(r.record.warnings,
                   "measured after the others of its group: together they do not fit the memory");
-        if (first || !r.id.companion) results.push_back(std::move(r));
+        if (first || !r.companion) results.push_back(std::move(r));
       }
       apart = group.apart();
     }
@@ -286,10 +279,9 @@ std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& 
     pending.insert(pending.begin(), smaller.begin(), smaller.end());
   }
   // In the order of the cells, wherever they were measured.
-  std::map<std::string, size_t> order;
-  for (const CellId& id : cells) order.try_emplace(cellName(id), order.size());
-  std::ranges::stable_sort(results, {},
-                           [&](const CellResult& r) { return order.at(cellName(r.id)); });
+  std::map<CellId, size_t> order;
+  for (const GroupCell& cell : cells) order.try_emplace(cell.id, order.size());
+  std::ranges::stable_sort(results, {}, [&](const CellResult& r) { return order.at(r.id); });
   return results;
 }
 

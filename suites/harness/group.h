@@ -11,11 +11,13 @@
 #include "suites/harness/judge.h"
 #include "suites/harness/protocol.h"
 #include "suites/harness/samples.h"
+#include "suites/harness/selection.h"
 
 namespace sb {
 
 struct CellResult {
   CellId id;
+  bool companion = false;  ///< see GroupCell
   report::Record record;
   report::Picture picture;  ///< of the last timed frame; empty unless the record is ok
   PictureFiles files;       ///< of Record::pictures
@@ -36,9 +38,10 @@ struct MeasureSettings {
   /// 0..1.
   std::function<void(const std::string& what, double done)> progress;
 
-  /// Blocks of an earlier part of the run, by the cells' names.
-  const std::map<std::string, std::vector<SampleBlock>>* earlierBlocks = nullptr;
-  std::function<void(const std::string& cell, const SampleBlock& block)> onBlock;
+  /// Blocks of an earlier part of the run, by recordedId().
+  const std::map<CellId, std::vector<SampleBlock>>* earlierBlocks = nullptr;
+  /// With the cell's recordedId().
+  std::function<void(const CellId& cell, const SampleBlock& block)> onBlock;
   /// A cell is verified, and no companion. What it is compared with is not known yet: its record
   /// says so.
   std::function<void(const CellResult&)> onVerified;
@@ -48,7 +51,7 @@ struct MeasureSettings {
 /// cell that cannot run is a skipped or failed record with its reason. Cells that do not fit the
 /// memory beside the others are measured after them, beside their baselines alone, and say so.
 /// Throws InputError when the scene cannot be loaded.
-std::vector<CellResult> measureGroup(const std::vector<CellId>& cells, Devices& devices,
+std::vector<CellResult> measureGroup(const std::vector<GroupCell>& cells, Devices& devices,
                                      const MeasureSettings& settings, const std::string& version);
 
 }  // namespace sb

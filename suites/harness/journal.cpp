@@ -22,7 +22,7 @@ namespace {
 using report::Field;
 using report::Json;
 
-constexpr uint64_t kVersion = 1;
+constexpr uint64_t kVersion = 2;
 
 std::string lineOf(const Json& json) {
   // File names need not be UTF-8.
@@ -91,11 +91,11 @@ SampleBlock readBlock(const Field& frames) {
 
 void readLine(const Field& line, JournalContent& content) {
   if (const auto block = line.find("block")) {
-    content.blocks[block->at("cell").text()].push_back(readBlock(block->at("frames")));
+    content.blocks[report::readId(block->at("cell"))].push_back(readBlock(block->at("frames")));
   } else if (const auto cell = line.find("cell")) {
     report::Record record = report::readCell(*cell);
-    const std::string name = record.name;
-    content.cells.insert_or_assign(name, std::move(record));
+    const report::CellId id = record.id;
+    content.cells.insert_or_assign(id, std::move(record));
   } else if (const auto hard = line.find("hard_case")) {
     report::StabilityRecord record = report::readStability(*hard);
     const std::string name = record.name();
@@ -223,8 +223,10 @@ Journal::~Journal() {
   if (m_file >= 0) close(m_file);
 }
 
-void Journal::block(const std::string& cell, const SampleBlock& block) {
-  append(lineOf({{"block", {{"cell", cell}, {"frames", toJson(block)}}}}), false);
+void Journal::block(const report::CellId& cell, const SampleBlock& block) {
+  Json id;
+  report::putId(id, cell);
+  append(lineOf({{"block", {{"cell", std::move(id)}, {"frames", toJson(block)}}}}), false);
 }
 
 void Journal::cell(const report::Record& record) {

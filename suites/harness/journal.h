@@ -1,11 +1,12 @@
-// What a run has found so far, on disk at once: a line of JSON for what the run is, and one for each
-// block, finished cell and hard case. A run that ends early, by Ctrl-C or `kill -9`, goes on from it
+// What a run has found so far, on disk at once: a line of JSON for what the run is, and one for
+// each block, finished cell and hard case. A run that ends early, by Ctrl-C or `kill -9`, goes on
+// from it
 // (`--resume`): nothing is measured twice. Pictures lie beside it and are written before the line
 // that names them.
-//   {"journal":1, "arguments":[..], "folder":.., "program":.., "settings":{..}, "scenes":{..},
+//   {"journal":2, "arguments":[..], "folder":.., "program":.., "settings":{..}, "scenes":{..},
 //    "devices":{..}, "cells":[..], "hard_cases":[..]}
-//   {"block":{"cell":.., "frames":[[wall, cpu, record, submit, device or null, passes,
-//    draws, dispatches, triangles], ..]}}
+//   {"block":{"cell":{"technique":.., ..}, "frames":[[wall, cpu, record, submit, device or null,
+//    passes, draws, dispatches, triangles], ..]}}
 //   {"cell":[entries as in the results]}      the last line of a cell counts
 //   {"hard_case":{..}}
 #pragma once
@@ -36,9 +37,9 @@ std::vector<std::string> differences(const JournalHeader& there, const JournalHe
 
 struct JournalContent {
   JournalHeader header;
-  std::map<std::string, report::Record> cells;  ///< by name
+  std::map<report::CellId, report::Record> cells;
   std::map<std::string, report::StabilityRecord> hardCases;
-  std::map<std::string, std::vector<SampleBlock>> blocks;
+  std::map<report::CellId, std::vector<SampleBlock>> blocks;
   uint64_t wholeBytes = 0;   ///< up to the end of the last whole line
   bool halfLine = false;     ///< something was cut off behind it
 };
@@ -59,7 +60,7 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  void block(const std::string& cell, const SampleBlock& block);
+  void block(const report::CellId& cell, const SampleBlock& block);
   void cell(const report::Record& record);
   void hardCase(const report::StabilityRecord& record);
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
 #include "techniques/render/registry.h"
-#include "techniques/render/renderer.h"
 
 namespace sb {
 namespace {
@@ -23,42 +22,25 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-struct Pair {
-  const ShadowEntry* shadow = nullptr;  ///< null: the reference
-  const TransparencyEntry* transparency = nullptr;
-  std::vector<KnobInfo> knobs() const {
-    return shadow ? knobsOf(shadow->info, transparency->info) : referenceInfo().knobs;
-  }
-  /// Backends of its cells among those asked for (empty: the default ones).
-  std::vector<std::string> backends(const Selection& selection,
-                                    const std::vector<std::string>& defaults) const {
-    std::vector<std::string> list = selection.backends.empty() ? defaults : selection.backends;
-    const bool asked = std::erase(list, kReferenceBackend) > 0 || selection.backends.empty();
-    if (shadow) return list;
-    const auto isNamed = std::ranges::find(selection.techniques, kReferenceTechnique);
-    if (asked || isNamed != selection.techniques.end()) return {kReferenceBackend};
-    return {};
-  }
-};
+/// Cells of which only the techniques are known.
+std::vector<CellId> selectTechniques(const Selection& selection) {
+  std::vector<CellId> all;
+  for (const std::string& name : selection.techniques) all.push_back(parseTechniques(name));
+  if (!all.empty()) return all;
+  for (const ShadowEntry* t : shadowTechniques()) all.push_back({.technique = t->info.name});
+  all.push_back({.technique = referenceInfo().name});
+  return all;
+}
 
-std::vector<Pair> selectPairs(const Selection& selection) {
-  std::vector<Pair> pairs;
-  if (selection.techniques.empty())
-    for (const ShadowEntry* t : shadowTechniques())
-      pairs.push_back({t, &transparencyTechnique(kDefaultTransparency)});
-  if (selection.techniques.empty()) pairs.push_back({});
-  for (const std::string& name : selection.techniques) {
-    if (name == kReferenceTechnique) {
-      pairs.push_back({});
-      continue;
-    }
-    const auto parts = split(name, '+');
-    if (parts.size() > 2)
-      throw InputError("--technique", "found '" + name + "', expected TECHNIQUE[+TRANSPARENCY]");
-    pairs.push_back({&shadowTechnique(parts[0]),
-                     &transparencyTechnique(parts.size() > 1 ? parts[1] : kDefaultTransparency)});
-  }
-  return pairs;
+/// Backends of their cells among those asked for (empty: the default ones).
+std::vector<std::string> backendsOf(const CellId& techniques, const Selection& selection,
+                                    const std::vector<std::string>& defaults) {
+  std::vector<std::string> list = selection.backends.empty() ? defaults : selection.backends;
+  const bool asked = std::erase(list, kTracerBackend) > 0 || selection.backends.empty();
+  if (!isReference(techniques)) return list;
+  const auto isNamed = std::ranges::find(selection.techniques, referenceInfo().name);
+  if (asked || isNamed != selection.techniques.end()) return {kTracerBackend};
+  return {};
 }
 
 struct Sweep {
@@ -75,14 +57,15 @@ std::string techniquesWith(const std::string& knob) {
   };
   for (const ShadowEntry* t : shadowTechniques()) add(t->info);
   for (const TransparencyEntry* t : transparencyTechniques()) add(t->info);
+  for (const LightsEntry* t : lightTechniques()) add(t->info);
   add(referenceInfo());
   return names;
 }
 
-std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<Pair>& pairs) {
+std::vector<Sweep> parseSweeps(const Selection& selection, const std::vector<CellId>& techniques) {
   std::set<std::string> known;
-  for (const Pair& pair : pairs)
-    for (const KnobInfo& knob : pair.knobs()) known.insert(knob.name);
+  for (const CellId& id : techniques)
+    for (const KnobInfo& knob : knobInfosOf(id)) known.insert(knob.name);
   std::vector<Sweep> sweeps;
   for (const std::string& text : selection.sets) {
     const size_t equals = text.find('=');
@@ -111,11 +94,11 @@ void requireBounded(size_t cells) {
                                       " cells, expected fewer values in its lists");
 }
 
-/// All combinations of the sweeps whose knobs the pair has.
-std::vector<std::map<std::string, std::string>> combinations(const Pair& pair,
+/// All combinations of the sweeps whose knobs the techniques have.
+std::vector<std::map<std::string, std::string>> combinations(const CellId& techniques,
                                                              const std::vector<Sweep>& sweeps) {
   std::vector<std::map<std::string, std::string>> all = {{}};
-  const auto knobs = pair.knobs();
+  const auto knobs = knobInfosOf(techniques);
   for (const Sweep& sweep : sweeps) {
     if (std::ranges::find(knobs, sweep.knob, &KnobInfo::name) == knobs.end()) continue;
     requireBounded(all.size() * sweep.values.size());
@@ -211,7 +194,7 @@ std::vector<std::string> namedScenes(const Selection& selection) {
 
 void requireKnownBackends(const std::vector<std::string>& backends,
                           std::vector<std::string> known) {
-  known.push_back(kReferenceBackend);
+  known.push_back(kTracerBackend);
   for (const std::string& b : backends)
     if (std::ranges::find(known, b) == known.end())
       throw InputError("--backend", unknownName("backend", b, known));
@@ -220,8 +203,8 @@ void requireKnownBackends(const std::vector<std::string>& backends,
 std::vector<CellId> selectCells(const Selection& selection,
                                 const std::vector<std::string>& knownBackends,
                                 const std::vector<std::string>& defaultBackends) {
-  const auto pairs = selectPairs(selection);
-  const auto sweeps = parseSweeps(selection, pairs);
+  const auto techniques = selectTechniques(selection);
+  const auto sweeps = parseSweeps(selection, techniques);
   requireKnownBackends(selection.backends, knownBackends);
   Selection shown = selection;
   if (shown.scenes.empty()) shown.scenes = quickScenes();
@@ -229,21 +212,18 @@ std::vector<CellId> selectCells(const Selection& selection,
   const auto [width, height] = selection.size.value_or(std::pair<uint32_t, uint32_t>{512, 512});
 
   std::vector<CellId> cells;
-  std::set<std::string> names;
+  std::set<CellId> known;
   for (const std::string& scene : scenes)
-    for (const Pair& pair : pairs)
-      for (const auto& knobs : combinations(pair, sweeps))
-        for (const std::string& backend : pair.backends(selection, defaultBackends)) {
-          CellId id{.technique = pair.shadow ? pair.shadow->info.name : kReferenceTechnique,
-                    .transparency =
-                        pair.shadow ? pair.transparency->info.name : kDefaultTransparency,
-                    .backend = backend,
-                    .scene = scene,
-                    .knobs = knobs,
-                    .width = width,
-                    .height = height,
-                    .seed = selection.seed};
-          if (names.insert(cellName(id)).second) cells.push_back(std::move(id));
+    for (const CellId& drawn : techniques)
+      for (const auto& knobs : combinations(drawn, sweeps))
+        for (const std::string& backend : backendsOf(drawn, selection, defaultBackends)) {
+          CellId id = withKnobs(drawn, knobs);
+          id.backend = backend;
+          id.scene = scene;
+          id.width = width;
+          id.height = height;
+          id.seed = selection.seed;
+          if (known.insert(id).second) cells.push_back(std::move(id));
           requireBounded(cells.size());
         }
   return filterCells(selection, cells);
@@ -259,36 +239,32 @@ std::vector<CellId> filterCells(const Selection& selection, const std::vector<Ce
   return kept;
 }
 
-void addBaselines(std::vector<CellId>& group) {
-  std::set<std::string> present;
-  for (const CellId& c : group) present.insert(cellName(c));
+void addBaselines(std::vector<GroupCell>& group) {
+  std::set<CellId> present;
+  for (const GroupCell& c : group) present.insert(c.id);
   for (size_t i = 0, asked = group.size(); i < asked; ++i) {
-    if (isReference(group[i]) || group[i].companion) continue;
-    CellId baseline = baselineOf(group[i]);
-    if (!present.insert(cellName(baseline)).second) continue;
-    baseline.companion = true;
-    group.push_back(std::move(baseline));
+    if (isReference(group[i].id) || group[i].companion) continue;
+    CellId baseline = baselineOf(group[i].id);
+    if (present.insert(baseline).second) group.push_back({std::move(baseline), true});
   }
 }
 
-std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most) {
+std::vector<std::vector<GroupCell>> groupCells(const std::vector<CellId>& cells, size_t most) {
   // A cell on all its backends stays together: their pictures and times are compared.
   std::vector<std::vector<CellId>> families;
-  std::map<std::string, size_t> familyOf;
+  std::map<CellId, size_t> familyOf;
   for (const CellId& cell : cells) {
-    CellId anyBackend = cell;
-    anyBackend.backend = "*";
-    const auto [it, isNew] = familyOf.try_emplace(cellName(anyBackend), families.size());
+    const auto [it, isNew] = familyOf.try_emplace(onAnyBackend(cell), families.size());
     if (isNew) families.emplace_back();
     families[it->second].push_back(cell);
   }
   auto key = [](const CellId& c) { return std::tuple(c.scene, c.width, c.height, c.seed); };
-  std::vector<std::vector<CellId>> groups;
+  std::vector<std::vector<GroupCell>> groups;
   for (const auto& family : families) {
     auto group = std::ranges::find_if(groups, [&](const auto& g) {
-      return key(g.front()) == key(family.front()) && g.size() + family.size() <= most;
+      return key(g.front().id) == key(family.front()) && g.size() + family.size() <= most;
     });
-    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<CellId>());
+    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<GroupCell>());
     group->insert(group->end(), family.begin(), family.end());
   }
   for (auto& group : groups) addBaselines(group);

@@ -16,7 +16,7 @@ inline constexpr size_t kMostCells = 100000;
 
 /// As it stands on the command line; empty means "the default".
 struct Selection {
-  std::vector<std::string> techniques;  ///< "CSSM2" or "CSSM2+Sorted"; default: all
+  std::vector<std::string> techniques;  ///< TECHNIQUE[+TRANSPARENCY][@LIGHTS]; default: all
   std::vector<std::string> backends;    ///< default: those of `defaultBackends`
   std::vector<std::string> scenes;  ///< NAME[:param=value,...] or a file; default: the quick four
   std::vector<std::string> sets;    ///< "knob=v1,v2": a sweep
@@ -65,11 +65,19 @@ class NameFilter {
 /// The cells that a filter leaves. Throws InputError like selectCells.
 std::vector<CellId> filterCells(const Selection& selection, const std::vector<CellId>& cells);
 
+/// A cell among those that it is compared with.
+struct GroupCell {
+  GroupCell(CellId cell, bool isCompanion = false) : id(std::move(cell)), companion(isCompanion) {}
+  CellId id;
+  bool companion;  ///< measured for comparison only: not asked for, not reported
+};
+
+/// Adds to a group, as companions, the baselines that it lacks.
+void addBaselines(std::vector<GroupCell>& group);
+
 /// Cells that run interleaved: same scene, size and seed. At most `most` asked-for cells in a
 /// group, a cell's backends always together; baselines that are not asked for are added as
 /// companions.
-/// Adds to a group, as companions, the baselines that it lacks.
-void addBaselines(std::vector<CellId>& group);
-std::vector<std::vector<CellId>> groupCells(const std::vector<CellId>& cells, size_t most = 16);
+std::vector<std::vector<GroupCell>> groupCells(const std::vector<CellId>& cells, size_t most = 16);
 
 }  // namespace sb

@@ -5,30 +5,22 @@
 
 namespace sb {
 
-RendererDesc rendererDesc(const std::string& technique, const std::string& transparency,
-                          const std::map<std::string, std::string>& knobs, rhi::Extent2D size,
-                          uint32_t seed) {
-  const ShadowEntry& shadows = shadowTechnique(technique);
-  const TransparencyEntry& surfaces = transparencyTechnique(transparency);
-  return {.technique = &shadows,
-          .transparency = &surfaces,
-          .knobs = Knobs::resolve(knobsOf(shadows.info, surfaces.info), knobs),
-          .size = size,
-          .seed = seed,
+RendererDesc rendererDesc(const CellId& id) {
+  return {.technique = &shadowTechnique(id.technique),
+          .transparency = &transparencyTechnique(id.transparency),
+          .lights = &lightTechnique(id.lights),
+          .knobs = cellKnobs(id),
+          .size = {id.width, id.height},
+          .seed = id.seed,
           .forced = {}};
 }
 
-RendererDesc rendererDesc(const CellId& id) {
-  return rendererDesc(id.technique, id.transparency, id.knobs, {id.width, id.height}, id.seed);
-}
-
 Stage::Stage(const Scene& scene, rhi::Extent2D size)
-    : m_scene(scene), m_effects(analyse(scene, double(size.width) / double(size.height))) {}
+    : m_scene(scene), m_effects(analyse(scene, double(size.width) / double(size.height), size.height)) {}
 
 std::optional<rhi::Skip> Stage::unsupported(const rhi::Device& device,
                                             const RendererDesc& desc) const {
-  return sb::unsupported(device, desc.technique->info, desc.transparency->info, desc.knobs,
-                         m_effects.present);
+  return sb::unsupported(device, desc.set(), desc.knobs, m_effects.present);
 }
 
 std::unique_ptr<Renderer> Stage::renderer(const DeviceContext& device, RendererDesc desc) {

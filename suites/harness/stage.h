@@ -1,5 +1,6 @@
-// The one way from a scene to frames: analysed for the picture's shape, put once on each device that
-// draws it, drawn by a pair of techniques. Cells, hard cases, `bench render` and tests go this way.
+// The one way from a scene to frames: analysed for the picture's shape, put once on each device
+// that draws it, drawn by a technique of each kind. Cells, hard cases, `bench render` and tests go
+// this way.
 #pragma once
 
 #include <map>
@@ -11,12 +12,8 @@
 
 namespace sb {
 
-/// A pair of techniques by name with the values of its knobs; the rest are defaults. Throws
+/// The techniques of a cell with the values of their knobs, its size and its seed. Throws
 /// InputError on a bad knob.
-RendererDesc rendererDesc(const std::string& technique, const std::string& transparency,
-                          const std::map<std::string, std::string>& knobs, rhi::Extent2D size,
-                          uint32_t seed = 0);
-/// That of a cell.
 RendererDesc rendererDesc(const CellId& id);
 
 /// A scene made ready for all the cells of one size that draw it, on any device.

@@ -188,14 +188,14 @@ std::vector<CellId> suiteCells(const Suite& suite, const Selection& over,
   if (suite.runs.empty()) return {};
   requireKnownBackends(over.backends, knownBackends);
   std::vector<CellId> cells;
-  std::set<std::string> names;
+  std::set<CellId> known;
   for (const SuiteRun& run : suite.runs)
     for (Selection selection : run.selections) {
       if (!over.backends.empty()) selection.backends = over.backends;
       if (over.size) selection.size = over.size;
       selection.seed = over.seed;
       for (CellId& id : cellsOf(selection, knownBackends, defaultBackends, run.where))
-        if (names.insert(cellName(id)).second) cells.push_back(std::move(id));
+        if (known.insert(id).second) cells.push_back(std::move(id));
     }
   return filterCells(over, cells);
 }

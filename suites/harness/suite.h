@@ -3,7 +3,7 @@
 //   seeds = 64                       optional; as are budget (seconds a cell), precision (percent)
 //   [[run]]                          at least one
 //   scenes = ["layers", ...]         as on the command line
-//   techniques = ["CSSM2", ...]      optional: TECHNIQUE[+TRANSPARENCY]; without it all
+//   techniques = ["CSSM2", ...]      optional: TECHNIQUE[+TRANSPARENCY][@LIGHTS]; without it all
 //   backends = ["vulkan", ...]       optional
 //   size = "512x512"                 optional
 //   set.kernel = 3                   optional: the same for all cells

@@ -99,18 +99,21 @@ report::FigureStated parseStated(const SuiteReader& reader, const toml::node& no
           .bytes = textOr(reader, t, field, "bytes", "")};
 }
 
-Words namesOf(const std::vector<CellId>& cells, const std::string& matching) {
-  Words out;
+using FigureCells = std::vector<report::FigureCell>;
+
+FigureCells matching(const std::string& pattern, const std::vector<CellId>& cells) {
+  FigureCells out;
   for (const CellId& id : cells)
-    if (const std::string name = cellName(id); report::matchesRegex(matching, name))
-      out.push_back(name);
+    if (const std::string name = cellName(id); report::matchesRegex(pattern, name))
+      out.push_back({name, id.backend});
   return out;
 }
 
-void requireMatch(const SuiteFigure& figure, const Words& names, const std::string& what,
+void requireMatch(const SuiteFigure& figure, const FigureCells& cells, const std::string& what,
                   const std::string& pattern) {
-  if (std::ranges::none_of(names,
-                           [&](const std::string& n) { return report::matchesRegex(pattern, n); }))
+  if (std::ranges::none_of(cells, [&](const report::FigureCell& cell) {
+        return report::matchesRegex(pattern, cell.name);
+      }))
     throw InputError(figure.where, what + ": no cell of the figure matches '" + pattern + "'");
 }
 
@@ -168,8 +171,8 @@ std::vector<report::Figure> suiteFigures(const Suite& suite, const Selection& ov
   for (const SuiteFigure& f : suite.figures) {
     const auto cells = suiteCells(suite, whole, knownBackends, defaultBackends);
     // A pattern may name a backend that this run leaves out.
-    const Words all =
-        namesOf(suiteCells(suite, everywhere, knownBackends, defaultBackends), f.cells);
+    const FigureCells all =
+        matching(f.cells, suiteCells(suite, everywhere, knownBackends, defaultBackends));
     requireMatch(f, all, "cells", f.cells);
     for (size_t i = 0; i < f.figure.statements.size(); ++i) {
       const std::string statement = "statement " + std::to_string(i + 1);
@@ -177,7 +180,7 @@ std::vector<report::Figure> suiteFigures(const Suite& suite, const Selection& ov
       requireMatch(f, all, statement + ".right", f.figure.statements[i].right.cells);
     }
     report::Figure figure = f.figure;
-    figure.cells = namesOf(cells, f.cells);
+    figure.cells = matching(f.cells, cells);
     if (!figure.x.empty()) figure.xFallback = fallbackOf(f, cells);
     out.push_back(std::move(figure));
   }

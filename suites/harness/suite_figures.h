@@ -43,7 +43,7 @@ SuiteFigure parseFigure(const SuiteReader& reader, const toml::node& node, size_
 struct Suite;
 struct Selection;
 
-/// The figures of a suite with the names of their cells, measured or filtered out. Throws
+/// The figures of a suite with their cells, measured or filtered out. Throws
 /// InputError for a figure or a statement that no cell belongs to, and for an x that its cells do
 /// not have.
 std::vector<report::Figure> suiteFigures(const Suite& suite, const Selection& over,

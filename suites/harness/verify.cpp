@@ -43,7 +43,8 @@ bool isUniform(const report::Picture& picture) {
 
 std::string whyRefused(const report::Record& record) {
   if (!record.stable || !record.nonfinite) return "the picture was not verified";
-  if (record.drawCount == 0 && record.backend != kReferenceBackend) return "nothing of the scene was drawn";
+  if (record.drawCount == 0 && record.role != report::Role::Tracer)
+    return "nothing of the scene was drawn";
   if (*record.nonfinite > 0)
     return std::to_string(*record.nonfinite) + " values of the picture are not finite";
   if (!*record.stable) return "the timed run's picture differs from the untimed one";

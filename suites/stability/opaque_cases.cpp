@@ -119,7 +119,7 @@ std::vector<StabilityCase> opaqueCases() {
       {.id = "far eye",
        .title = "The same, with floor 1e6 away and an eye far from the light",
        .property = "the floor is lit or dark as it should be (wrong pixels away from the edge)",
-       .reason = "none",
+       .reason = "nothing is allowed",
        .parameter = "eye to light, world units",
        .logarithmic = true,
        .run = farEye},

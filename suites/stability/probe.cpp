@@ -10,13 +10,19 @@ namespace sb {
 namespace {
 
 RendererDesc descFor(const CaseContext& context, const ProbeOptions& options) {
-  const auto infos = knobsOf(context.info(), context.transparencyInfo());
+  CellId id{.technique = context.technique,
+            .transparency = context.transparency,
+            .lights = context.lights,
+            .width = options.size.width,
+            .height = options.size.height,
+            .seed = options.seed};
+  const auto infos = knobInfosOf(id);
   std::map<std::string, std::string> given = context.knobs;
   for (const auto& [name, value] : options.knobs)
     if (std::ranges::find(infos, name, &KnobInfo::name) != infos.end()) given[name] = value;
   if (std::ranges::find(infos, "size", &KnobInfo::name) != infos.end())
     if (!context.scene) given.try_emplace("size", "256");
-  return rendererDesc(context.technique, context.transparency, given, options.size, options.seed);
+  return rendererDesc(withKnobs(std::move(id), given));
 }
 
 }  // namespace

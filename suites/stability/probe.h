@@ -19,6 +19,7 @@ struct CaseContext {
   const DeviceContext* other = nullptr;  ///< of another API; null: there is none
   std::string technique;
   std::string transparency;
+  std::string lights = kDefaultLights;
   std::map<std::string, std::string> knobs = {};  ///< of the variant; what a case fixes wins
   uint32_t seeds = 1;  ///< over which means of stochastic techniques are taken
   bool quick = false;  ///< fewer and smaller points

@@ -191,8 +191,8 @@ SceneForm sceneForm(const std::string& id) {
       {"G7",
        {otherApi, "the same picture (pixels off by more than 1/255, %)",
         "rasterisers may round edges apart (spec 17, G7)"}},
-      {"G8", {finite, kFinite, "none"}},
-      {"G9", {strippedAndOdd, kFinite, "none"}},
+      {"G8", {finite, kFinite, "nothing is allowed"}},
+      {"G9", {strippedAndOdd, kFinite, "nothing is allowed"}},
       {"G10",
        {sceneCorners,
         "casters that let all light pass take none, those that block all are as opaque ones "

@@ -22,53 +22,42 @@ const StabilityCase& caseOf(const std::string& id) {
   throw InputError("cases", unknownName("case", id, names));
 }
 
-std::string nameOf(const std::string& technique, const std::string& transparency) {
-  return transparency == kDefaultTransparency ? technique : technique + "+" + transparency;
-}
-
-/// Pairs to ask: each shadow technique, and each transparency technique without shadows.
-std::vector<std::pair<std::string, std::string>> allPairs() {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const ShadowEntry* s : shadowTechniques())
-    pairs.emplace_back(s->info.name, std::string(kDefaultTransparency));
+/// Techniques to ask, as cells of which nothing else is known: each shadow technique, and without
+/// shadows each transparency technique and loop over lights.
+std::vector<CellId> allTechniques() {
+  std::vector<CellId> all;
+  const std::string& lit = baselineTechnique().info.name;
+  for (const ShadowEntry* s : shadowTechniques()) all.push_back({.technique = s->info.name});
   for (const TransparencyEntry* t : transparencyTechniques())
-    if (t->info.name != kDefaultTransparency) pairs.emplace_back("none", t->info.name);
-  return pairs;
+    if (t->info.name != kDefaultTransparency)
+      all.push_back({.technique = lit, .transparency = t->info.name});
+  for (const LightsEntry* l : lightTechniques())
+    if (l->info.name != kDefaultLights) all.push_back({.technique = lit, .lights = l->info.name});
+  return all;
 }
 
-std::pair<std::string, std::string> pairOf(const std::string& name) {
-  const size_t plus = name.find('+');
-  const std::string transparency =
-      plus == std::string::npos ? std::string(kDefaultTransparency) : name.substr(plus + 1);
-  return {shadowTechnique(name.substr(0, plus)).info.name,
-          transparencyTechnique(transparency).info.name};
+/// Without shadows there is nothing to say about them; whatever has shadows is not asked about
+/// transparency twice.
+bool concerns(const StabilityCase& c, const CellId& drawn) {
+  const bool shadows = !techniquesOf(drawn).shadow->baseline;
+  return c.asks == Asks::Both || (c.asks == Asks::Shadows) == shadows;
 }
 
-/// `none` answers nothing about shadows; whatever has shadows is not asked about transparency
-/// twice.
-bool concerns(const StabilityCase& c, const std::string& technique) {
-  return c.asks == Asks::Both || (c.asks == Asks::Shadows) == (technique != "none");
+CellId techniquesOfJob(const StabilityJob& job) {
+  return {.technique = job.technique, .transparency = job.transparency, .lights = job.lights};
 }
 
 std::string variantName(const StabilityJob& job) {
-  std::string name = nameOf(job.technique, job.transparency);
+  std::string name = techniqueName(techniquesOfJob(job));
   for (const auto& [knob, value] : job.knobs) name += "/" + knob + ":" + value;
   return name;
 }
 
-std::vector<KnobInfo> knobsOf(const StabilityJob& job) {
-  return sb::knobsOf(shadowTechnique(job.technique).info,
-                     transparencyTechnique(job.transparency).info);
-}
-
-/// A knob that none of the pairs has is a mistake.
-void requireKnown(const StabilitySelection& selection,
-                  const std::vector<std::pair<std::string, std::string>>& pairs) {
+/// A knob that none of the techniques has is a mistake.
+void requireKnown(const StabilitySelection& selection, const std::vector<CellId>& techniques) {
   std::set<std::string> known;
-  for (const auto& [technique, transparency] : pairs)
-    for (const KnobInfo& knob :
-         knobsOf({.caseId = "", .technique = technique, .transparency = transparency, .backend = ""}))
-      known.insert(knob.name);
+  for (const CellId& drawn : techniques)
+    for (const KnobInfo& knob : knobInfosOf(drawn)) known.insert(knob.name);
   for (const auto& variant : selection.variants)
     for (const auto& [knob, value] : variant)
       if (!known.contains(knob))
@@ -77,7 +66,7 @@ void requireKnown(const StabilitySelection& selection,
 }
 
 bool hasKnobs(const StabilityJob& job) {
-  const auto infos = knobsOf(job);
+  const auto infos = knobInfosOf(techniquesOfJob(job));
   return std::ranges::all_of(job.knobs, [&](const auto& knob) {
     return std::ranges::find(infos, knob.first, &KnobInfo::name) != infos.end();
   });
@@ -101,10 +90,10 @@ std::string jobName(const StabilityJob& job) {
 }
 
 std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::string& t : selection.techniques) pairs.push_back(pairOf(t));
-  if (pairs.empty()) pairs = allPairs();
-  requireKnown(selection, pairs);
+  std::vector<CellId> techniques;
+  for (const std::string& t : selection.techniques) techniques.push_back(parseTechniques(t));
+  if (techniques.empty()) techniques = allTechniques();
+  requireKnown(selection, techniques);
   std::vector<std::string> ids = selection.cases;
   if (ids.empty())
     for (const StabilityCase& c : stabilityCases()) ids.push_back(c.id);
@@ -115,14 +104,21 @@ std::vector<StabilityJob> stabilityJobs(const StabilitySelection& selection) {
   std::vector<StabilityJob> jobs;
   for (const std::string& id : ids) {
     const StabilityCase& c = caseOf(id);
-    for (const auto& [technique, transparency] : pairs)
+    for (const CellId& drawn : techniques)
       for (const auto& knobs : selection.variants)
         for (const std::string& backend : selection.backends)
           for (const std::string& scene : own ? std::vector<std::string>{""} : selection.scenes) {
-            StabilityJob job{id, technique, transparency, backend, knobs, selection.seeds, scene};
+            StabilityJob job{.caseId = id,
+                             .technique = drawn.technique,
+                             .transparency = drawn.transparency,
+                             .lights = drawn.lights,
+                             .backend = backend,
+                             .knobs = knobs,
+                             .seeds = selection.seeds,
+                             .scene = scene,
+                             .quick = selection.quick};
             if (selection.size) job.size = *selection.size;
-            job.quick = selection.quick;
-            if (!concerns(c, technique) || !hasKnobs(job)) continue;
+            if (!concerns(c, drawn) || !hasKnobs(job)) continue;
             if (wanted.found(jobName(job))) jobs.push_back(std::move(job));
           }
   }
@@ -137,6 +133,8 @@ report::StabilityRecord skippedStability(const StabilityJob& job, const std::str
           .property = own ? c.property : c.onScene.property,
           .reason = own ? c.reason : c.onScene.reason,
           .technique = variantName(job),
+          .role = variantName(job) == baselineTechnique().info.name ? report::Role::Baseline
+                                                                    : report::Role::Technique,
           .backend = job.backend,
           .scene = base::printable(job.scene),
           .width = own ? 0 : job.size.width,
@@ -165,6 +163,7 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
                             .other = other,
                             .technique = job.technique,
                             .transparency = job.transparency,
+                            .lights = job.lights,
                             .knobs = job.knobs,
                             .seeds = job.seeds,
                             .quick = job.quick,
@@ -178,7 +177,7 @@ report::StabilityRecord runStability(const StabilityJob& job, const DeviceContex
     Found found = (scene ? c.onScene.run : c.run)(context);
     if (!found.leftOut.empty()) return skippedStability(job, found.leftOut);
     record.curve = std::move(found.curve);
-    for (const TechniqueInfo* info : {&context.info(), &context.transparencyInfo()})
+    for (const TechniqueInfo* info : techniquesOf(techniquesOfJob(job)).all())
       if (const std::string why = whyItBreaks(*info, job); !why.empty()) found.expected = why;
     report::judge(record, found.expected);
   } catch (const Unsupported& error) {

@@ -12,6 +12,7 @@ struct StabilityJob {
   std::string caseId;
   std::string technique;  ///< shadow technique
   std::string transparency;
+  std::string lights = kDefaultLights;
   std::string backend;
   std::map<std::string, std::string> knobs = {};  ///< variant of the technique
   uint32_t seeds = 1;  ///< over which stochastic techniques are averaged
@@ -26,8 +27,8 @@ std::string jobName(const StabilityJob& job);
 
 /// What to ask: empty lists mean all.
 struct StabilitySelection {
-  /// TECHNIQUE[+TRANSPARENCY]; all: shadows with the default transparency, transparency without
-  /// shadows.
+  /// TECHNIQUE[+TRANSPARENCY][@LIGHTS]; all: shadows with the default transparency and loop over
+  /// lights; the others of these without shadows.
   std::vector<std::string> techniques;
   std::vector<std::string> cases;  ///< ids
   std::vector<std::string> backends;

@@ -246,7 +246,7 @@ std::vector<StabilityCase> translucentCases() {
       {.id = "sheet",
        .title = "A sheet in the plane of the floor",
        .property = "tinted everywhere or nowhere (pixels that differ)",
-       .reason = "none",
+       .reason = "nothing is allowed",
        .parameter = "slant of the light",
        .leavesOut = ofDeterministic,
        .run = sheetOnFloor},

@@ -12,9 +12,6 @@ using glm::dvec3;
 
 namespace {
 
-/// Triangles up to which testing each costs less than the tree.
-constexpr size_t kFew = 24;
-
 using Sums = std::array<dvec3, kScrambles>;
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -62,12 +59,12 @@ class LightVisibility::Question {
     if (!at.infinite) at.toward = at.place - m_point.position;
     return at;
   }
-  dvec3 passed(const Target& target) {
-    return m_scene.passed(
-        m_point, target, m_scratch.hits, m_ownNear,
-        m_few ? std::optional<std::span<const uint32_t>>(m_scratch.between) : std::nullopt);
+  dvec3 toCentre() { return m_scene.passed(m_point, m_target, m_scratch.hits, m_ownNear); }
+  /// What reaches the point from up to kPacket targets, in place.
+  void pass(std::span<RayScene::ShadowRay> rays) {
+    for (RayScene::ShadowRay& ray : rays) ray.point = &m_point, ray.ownNear = m_ownNear;
+    m_scene.pass(rays, m_scratch.packet);
   }
-  dvec3 toCentre() { return passed(m_target); }
 
   /// Finds what may be between. An answer if that is the same from everywhere on the light.
   std::optional<dvec3> lookAround(const ShaftTree& tree) {
@@ -77,7 +74,6 @@ class LightVisibility::Question {
     std::erase_if(between, [&](uint32_t t) {
       return m_scene.isOwn(t, m_point) || (!m_patch.infinite && holdsLight(t, shaft));
     });
-    m_few = between.size() <= kFew;
     bool even = true;
     for (const uint32_t t : between) {
       const SurfaceTraits& traits = m_scene.traits(t);
@@ -104,15 +100,14 @@ class LightVisibility::Question {
   const double m_ownNear;
   const Target m_target;
   const LightPatch m_patch;
-  bool m_few = false;
 };
 
 LightVisibility::LightVisibility(const RayScene& scene) : m_scene(scene) {
   if (std::ranges::any_of(scene.scene().lights, isAreaLight)) m_tree.emplace(scene.triangles());
 }
 
-/// `sample` gives the value at a place on the patch and what it would be without shadows. `traced`:
-/// the difference comes from rays.
+/// `sample` gives the values at up to kPacket places on the patch and what they would be without
+/// shadows. `traced`: the difference comes from rays.
 template <class Sample>
 LightVisibility::Answer LightVisibility::estimate(const AreaSampling& sampling,
                                                   const LightPatch& patch, bool traced,
@@ -123,10 +118,14 @@ LightVisibility::Answer LightVisibility::estimate(const AreaSampling& sampling,
   uint32_t done = 0;
   for (uint32_t points = sampling.first / kScrambles;; points *= 2) {
     for (uint32_t k = 0; k < kScrambles; ++k)
-      for (uint32_t i = done; i < points; ++i) {
-        const auto [value, full] = sample(places[k][i]);
-        sums[k] += value;
-        unshadowed[k] += full;
+      for (uint32_t i = done; i < points; i += kPacket) {
+        const uint32_t count = std::min(kPacket, points - i);
+        std::array<dvec3, kPacket> values, full;
+        sample(std::span(places[k]).subspan(i, count), values, full);
+        for (uint32_t s = 0; s < count; ++s) {
+          sums[k] += values[s];
+          unshadowed[k] += full[s];
+        }
       }
     done = points;
     const uint32_t samples = kScrambles * points;
@@ -150,23 +149,55 @@ std::optional<dvec3> LightVisibility::even(Question& question) const {
 LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point& point,
                                              const AreaSampling& sampling, Scratch& scratch,
                                              double ownNear) const {
+  if (!isArea(light))
+    return {.visible =
+                m_scene.passed(point, m_scene.target(light, point.position), scratch.hits, ownNear),
+            .rays = 1};
   Question question(*this, light, point, scratch, ownNear);
-  if (!isArea(light)) return {.visible = question.toCentre(), .rays = 1};
   if (question.patch().inside) return {.undefined = true};
   if (sampling.pattern > 0) {
     Answer answer{.visible = dvec3(0), .rays = sampling.pattern};
-    for (uint32_t i = 0; i < sampling.pattern; ++i) {
-      const glm::dvec2 square = netPoint(i, sampling.pattern);
-      answer.visible +=
-          question.passed(question.at(question.patch().round ? onDisc(square) : onSquare(square)));
+    std::array<RayScene::ShadowRay, kPacket> rays;
+    for (uint32_t first = 0; first < sampling.pattern; first += kPacket) {
+      const auto some = std::span(rays).first(std::min(kPacket, sampling.pattern - first));
+      for (uint32_t i = 0; i < some.size(); ++i) {
+        const glm::dvec2 square = netPoint(first + i, sampling.pattern);
+        some[i].target = question.at(question.patch().round ? onDisc(square) : onSquare(square));
+      }
+      question.pass(some);
+      for (const RayScene::ShadowRay& ray : some) answer.visible += ray.passed;
     }
     answer.visible /= double(sampling.pattern);
     return answer;
   }
   if (const auto all = even(question)) return {.visible = *all, .rays = 1};
-  return estimate(sampling, question.patch(), true, [&](const glm::dvec2& place) {
-    return std::pair(question.passed(question.at(place)), dvec3(1));
-  });
+  std::array<RayScene::ShadowRay, kPacket> rays;
+  return estimate(
+      sampling, question.patch(), true,
+      [&](std::span<const glm::dvec2> places, std::span<dvec3> values, std::span<dvec3> full) {
+        for (size_t i = 0; i < places.size(); ++i) rays[i].target = question.at(places[i]);
+        question.pass(std::span(rays).first(places.size()));
+        for (size_t i = 0; i < places.size(); ++i) values[i] = rays[i].passed, full[i] = dvec3(1);
+      });
+}
+
+void LightVisibility::ask(uint32_t light, std::span<const Query> queries,
+                          const AreaSampling& sampling, Scratch& scratch) const {
+  if (isArea(light)) {
+    for (const Query& q : queries) *q.answer = ask(light, *q.point, sampling, scratch);
+    return;
+  }
+  std::array<RayScene::ShadowRay, kPacket> rays;
+  for (size_t first = 0; first < queries.size(); first += kPacket) {
+    const size_t count = std::min<size_t>(kPacket, queries.size() - first);
+    for (size_t i = 0; i < count; ++i) {
+      const Tracer::Point& point = *queries[first + i].point;
+      rays[i] = {.point = &point, .target = m_scene.target(light, point.position)};
+    }
+    m_scene.pass(std::span(rays).first(count), scratch.packet);
+    for (size_t i = 0; i < count; ++i)
+      *queries[first + i].answer = {.visible = rays[i].passed, .rays = 1};
+  }
 }
 
 LightVisibility::Answer LightVisibility::integrate(uint32_t light, const Tracer::Point& point,
@@ -182,15 +213,27 @@ LightVisibility::Answer LightVisibility::integrate(uint32_t light, const Tracer:
   if (largest(power) <= 0) return {.visible = dvec3(0)};
   const dvec3 facing = glm::normalize(glm::cross(patch.u, patch.v));
   const auto all = even(question);
-  return estimate(sampling, patch, !all, [&](const glm::dvec2& place) {
-    const RayScene::Target at = question.at(place);
-    if (!(glm::dot(point.normal, at.toward) > 0)) return std::pair(dvec3(0), dvec3(0));
-    const double d2 = glm::dot(at.toward, at.toward), d = std::sqrt(d2);
-    const dvec3 full =
-        power * reflection(at.toward / d) * (std::abs(glm::dot(facing, at.toward)) / (d * d2));
-    const bool ask = !all && largest(full) > 0;
-    return std::pair(full * (ask ? question.passed(at) : all.value_or(dvec3(0))), full);
-  });
+  std::array<RayScene::ShadowRay, kPacket> rays;
+  return estimate(
+      sampling, patch, !all,
+      [&](std::span<const glm::dvec2> places, std::span<dvec3> values, std::span<dvec3> full) {
+        std::array<size_t, kPacket> asked;
+        size_t count = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+          const RayScene::Target at = question.at(places[i]);
+          full[i] = values[i] = dvec3(0);
+          if (!(glm::dot(point.normal, at.toward) > 0)) continue;
+          const double d2 = glm::dot(at.toward, at.toward), d = std::sqrt(d2);
+          full[i] = power * reflection(at.toward / d) *
+                    (std::abs(glm::dot(facing, at.toward)) / (d * d2));
+          values[i] = full[i] * all.value_or(dvec3(0));
+          if (all || !(largest(full[i]) > 0)) continue;
+          rays[count].target = at;
+          asked[count++] = i;
+        }
+        question.pass(std::span(rays).first(count));
+        for (size_t r = 0; r < count; ++r) values[asked[r]] = full[asked[r]] * rays[r].passed;
+      });
 }
 
 }  // namespace sb

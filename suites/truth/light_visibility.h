@@ -27,11 +27,19 @@ class LightVisibility {
   /// What is needed for one answer after the other.
   struct Scratch {
     std::vector<TruthHit> hits;
+    RayScene::PacketHits packet;
     std::vector<uint32_t> between;
   };
   /// `ownNear`: RayScene::passed.
   Answer ask(uint32_t light, const Tracer::Point& point, const AreaSampling& sampling,
              Scratch& scratch, double ownNear = 0) const;
+  struct Query {
+    const Tracer::Point* point;
+    Answer* answer;
+  };
+  /// Many questions of one light; cheaper if those that follow one another are neighbours.
+  void ask(uint32_t light, std::span<const Query> queries, const AreaSampling& sampling,
+           Scratch& scratch) const;
   /// Of radiance 1 from a direction (unit), what is reflected toward the eye, the cosine included.
   using Reflection = std::function<glm::dvec3(const glm::dvec3& toLight)>;
   /// What is reflected of the light's radiance (E-mode). `visible` holds radiance, and `error` is a

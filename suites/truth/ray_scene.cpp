@@ -32,25 +32,31 @@ bool touches(const TruthTriangle& t, const dvec3& point) {
   return std::abs(glm::dot(n, point - t.corners[0])) <= 0x1p-50 * glm::dot(glm::abs(n), size);
 }
 
-dvec3 transmittance(const gpu::OpticsData& o) {
-  return 1.0 - double(o.alpha) * (1.0 - dvec3(o.t));
-}
-
 }  // namespace
 
 RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
     : m_scene(scene),
       m_width(width),
       m_height(height),
+      m_cameraAxes(scene.camera().toWorld),
+      m_cameraTangent(std::tan(scene.camera().fovY / 2)),
       m_triangles(truthTriangles(scene, scene.camera().eye())),
       m_traits(surfaceTraits(scene)),
       m_media(scene, scene.camera().eye()) {
   const dvec3 eye = scene.camera().eye();
   for (uint32_t i = 0; i < scene.lights.size(); ++i) {
     m_lights.push_back(lightData(scene.lights[i], i, eye));
+    m_lightDirections.push_back(-glm::normalize(scene.lights[i].direction));
     m_lightPositions.push_back(scene.lights[i].type == LightType::Directional
                                    ? dvec3(0)
                                    : scene.lights[i].position - eye);
+  }
+  for (const Instance& instance : scene.instances)
+    m_instanceTraits.push_back(&m_traits[scene.meshes[instance.mesh].material]);
+  m_planes.reserve(m_triangles.size());
+  for (const TruthTriangle& t : m_triangles) {
+    const Facet f = facetOf(scene, t.instance, t.number, eye);
+    m_planes.push_back({f.normal, f.ulp});
   }
   m_reach = extentOf(m_triangles, m_lightPositions);
   const Camera& c = scene.camera();
@@ -62,56 +68,82 @@ Surface RayScene::surface(const TruthHit& hit) const {
   return {m_scene, m_traits, m_triangles[hit.triangle], hit};
 }
 
-TruthRay RayScene::cameraRay(double x, double y) const {
+void RayScene::aimCameraRay(double x, double y, TruthRay& ray) const {
   const Camera& c = m_scene.camera();
-  const glm::dmat3 axes(c.toWorld);
   const double aspect = double(m_width) / m_height;
   const double u = (2 * x / m_width - 1) * aspect, v = 2 * y / m_height - 1;
-  TruthRay ray{.origin = dvec3(0), .direction = dvec3(0), .tMin = c.nearPlane, .tMax = c.farPlane};
   // The direction's depth is 1: t is the depth that near and far planes cut.
   if (c.orthographic) {
-    ray.origin = axes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
-    ray.direction = axes * dvec3(0, 0, -1);
+    ray.origin = m_cameraAxes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
+    ray.direction = m_cameraAxes * dvec3(0, 0, -1);
   } else {
-    const double tangent = std::tan(c.fovY / 2);
-    ray.direction = axes * dvec3(u * tangent, v * tangent, -1);
+    ray.origin = dvec3(0);
+    ray.direction = m_cameraAxes * dvec3(u * m_cameraTangent, v * m_cameraTangent, -1);
   }
-  return ray;
+  ray.tMin = c.nearPlane;
+  ray.tMax = c.farPlane;
+  ray.tie = kTieRange * m_reach;
 }
 
 MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, double to) const {
-  const TruthRay ray = cameraRay(x, y);
+  TruthRay ray;
+  aimCameraRay(x, y, ray);
   const double length = glm::length(ray.direction);
   return {ray.origin, ray.direction / length, from * length, to * length};
 }
 
+Bvh::Verdict RayScene::judgeForCamera(const TruthHit& hit) const {
+  const SurfaceTraits& traits = this->traits(hit.triangle);
+  if (traits.material.cameraTranslucent)
+    return surface(hit).optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
+  // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
+  if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
+  if (traits.masked && surface(hit).optics().alpha <= 0) return Bvh::Verdict::Ignore;
+  return Bvh::Verdict::Nearest;
+}
+
 void RayScene::cameraHits(double x, double y, CameraHits& out) const {
+  CameraHits* const hits = &out;
+  const glm::dvec2 position(x, y);
+  cameraHits(std::span(&position, 1), std::span(&hits, 1));
+}
+
+void RayScene::cameraHits(std::span<const glm::dvec2> positions,
+                          std::span<CameraHits* const> out) const {
+  PacketHits hits;
+  for (size_t first = 0; first < positions.size(); first += kPacket) {
+    const size_t count = std::min<size_t>(kPacket, positions.size() - first);
+    std::array<TruthRay, kPacket> rays;
+    std::array<const TruthRay*, kPacket> traced;
+    for (size_t i = 0; i < count; ++i) {
+      aimCameraRay(positions[first + i].x, positions[first + i].y, rays[i]);
+      traced[i] = &rays[i];
+      hits[i].swap(out[first + i]->hits);
+    }
+    m_bvh->hits(
+        std::span(traced).first(count),
+        [this](size_t, const TruthHit& hit) { return judgeForCamera(hit); },
+        std::span(hits).first(count));
+    for (size_t i = 0; i < count; ++i) {
+      hits[i].swap(out[first + i]->hits);
+      endCameraHits(*out[first + i]);
+    }
+  }
+}
+
+void RayScene::endCameraHits(CameraHits& out) const {
   const auto endsRay = [&](const TruthHit& hit) {
-    const TruthTriangle& t = m_triangles[hit.triangle];
-    return !m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material]
-                .material.cameraTranslucent;
+    return !traits(hit.triangle).material.cameraTranslucent;
   };
-  const Bvh::Judge judge = [&](const TruthHit& hit) {
-    const Surface at = surface(hit);
-    const SurfaceTraits& traits = at.traits();
-    if (traits.material.cameraTranslucent)
-      return at.optics().alpha > 0 ? Bvh::Verdict::Keep : Bvh::Verdict::Ignore;
-    // As glTF asks and the rasteriser culls: no back faces of single-sided surfaces.
-    if (!traits.doubleSided && !hit.front) return Bvh::Verdict::Ignore;
-    if (traits.masked && at.optics().alpha <= 0) return Bvh::Verdict::Ignore;
-    return Bvh::Verdict::Nearest;
-  };
-  TruthRay ray = cameraRay(x, y);
-  ray.tie = kTieRange * m_reach;
-  m_bvh->hits(ray, judge, out.hits);
-  orderTies(out.hits, ray.tie);
+  const double range = kTieRange * m_reach;
+  orderTies(out.hits, range);
   // Of opaque surfaces in one plane the first ends the ray; translucent ones in it are no layers.
   const auto opaque = std::ranges::find_if(out.hits, endsRay);
   out.endsOpaque = opaque != out.hits.end();
   if (!out.endsOpaque) return;
   const TruthHit end = *opaque;
   std::erase_if(out.hits, [&](const TruthHit& hit) {
-    return endsRay(hit) || hit.t > end.t || sameSurface(hit, end, ray.tie);
+    return endsRay(hit) || hit.t > end.t || sameSurface(hit, end, range);
   });
   out.hits.push_back(end);
 }
@@ -146,26 +178,24 @@ void RayScene::orderTies(std::vector<TruthHit>& hits, double range) const {
 }
 
 Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
-  const TruthRay ray = cameraRay(x, y);
+  TruthRay ray;
+  aimCameraRay(x, y, ray);
   const TruthTriangle& t = m_triangles[hit.triangle];
   const dvec3 n =
       glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
   dvec3 p = ray.origin + hit.t * ray.direction;
   // Into the plane again, as nearly as doubles can say.
   p -= n * glm::dot(n, p - t.corners[0]);
-  const SurfaceTraits& traits =
-      m_traits[m_scene.meshes[m_scene.instances[t.instance].mesh].material];
   // Toward the eye, as the shaders turn it, for orthographic cameras too.
   return {.position = p,
           .normal = glm::dot(n, p) > 0 ? -n : n,
           .instance = t.instance,
           .triangle = hit.triangle,
-          .translucent = traits.material.lightClass == MaterialClass::Translucent};
+          .translucent = traits(hit.triangle).material.lightClass == MaterialClass::Translucent};
 }
 
 dvec3 RayScene::toLight(uint32_t light, const dvec3& position) const {
-  if (m_scene.lights[light].type == LightType::Directional)
-    return -glm::normalize(m_scene.lights[light].direction);
+  if (m_scene.lights[light].type == LightType::Directional) return m_lightDirections[light];
   return glm::normalize(m_lightPositions[light] - position);
 }
 
@@ -182,11 +212,11 @@ bool RayScene::holds(uint32_t triangle, const Tracer::Point& point) const {
   const TruthTriangle& t = m_triangles[triangle];
   if (touches(t, point.position)) return true;
   if (point.triangle == kNone) return false;
-  const Facet own = facet(point.triangle), other = facet(triangle);
   // Near enough for its plane to be the same one?
-  const dvec3 n = glm::abs(other.normal);
-  return std::abs(heightOver(other, point.position)) <= 16 * glm::dot(n, own.ulp + other.ulp) &&
-         coplanar(own, other);
+  const Plane &own = m_planes[point.triangle], &other = m_planes[triangle];
+  const double height = glm::dot(other.normal, point.position - t.corners[0]);
+  return std::abs(height) <= 16 * glm::dot(glm::abs(other.normal), own.ulp + other.ulp) &&
+         coplanar(facet(point.triangle), facet(triangle));
 }
 
 bool RayScene::isInPlane(uint32_t triangle, const dvec3& place) const {
@@ -197,39 +227,6 @@ RayScene::Target RayScene::target(uint32_t light, const dvec3& position) const {
   if (m_scene.lights[light].type == LightType::Directional)
     return {.toward = toLight(light, position), .place = dvec3(0), .infinite = true};
   return {.toward = m_lightPositions[light] - position, .place = m_lightPositions[light]};
-}
-
-dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,
-                       std::vector<TruthHit>& scratch, double ownNear,
-                       std::optional<std::span<const uint32_t>> among) const {
-  const TruthRay ray{.origin = point.position,
-                     .direction = target.toward,
-                     .tMin = 0,
-                     .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1};
-  bool blocked = false;
-  const double own = ownNear / glm::length(ray.direction);
-  const auto judge = [&](const TruthHit& hit) {
-    if (isOwn(hit.triangle, point) ||
-        (hit.t < own && m_triangles[hit.triangle].instance == point.instance) ||
-        (!target.infinite && hit.t > 0.5 && isInPlane(hit.triangle, target.place)))
-      return Bvh::Verdict::Ignore;
-    const SurfaceTraits& traits = this->traits(hit.triangle);
-    const bool perforated = traits.material.lightClass == MaterialClass::Perforated;
-    const bool blocks = traits.blocks || (perforated && surface(hit).optics().alpha >= 0.5f);
-    blocked |= blocks;
-    if (blocks) return Bvh::Verdict::Stop;
-    return perforated ? Bvh::Verdict::Ignore : Bvh::Verdict::Keep;
-  };
-  if (among)
-    Bvh::hitsOf(m_triangles, *among, ray, std::ref(judge), scratch);
-  else
-    m_bvh->hits(ray, std::ref(judge), scratch);
-  if (blocked) return dvec3(0);
-  dvec3 passed(1);
-  for (const TruthHit& hit : scratch) passed *= transmittance(surface(hit).optics());
-  if (m_media.empty()) return passed;
-  const double length = glm::length(ray.direction);
-  return passed * m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
 }
 
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,

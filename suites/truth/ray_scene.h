@@ -25,6 +25,8 @@ class RayScene {
     bool endsOpaque = false;
   };
   void cameraHits(double x, double y, CameraHits& out) const;
+  /// The same at many positions; cheaper if those that follow one another are neighbours.
+  void cameraHits(std::span<const glm::dvec2> positions, std::span<CameraHits* const> out) const;
   Tracer::Point point(double x, double y, const TruthHit& hit) const;
 
   /// Where a shadow ray ends: in a place, or nowhere.
@@ -35,12 +37,20 @@ class RayScene {
   };
   /// The light's centre.
   Target target(uint32_t light, const glm::dvec3& position) const;
-  /// Product of what each surface and medium between lets through; 0 at the first opaque one. `ownNear`: the
-  /// receiver's own instance does not count within that distance. `among`: the only triangles that
-  /// can be between, if they are known.
+  /// Product of what each surface and medium between lets through; 0 at the first opaque one.
+  /// `ownNear`: the receiver's own instance does not count within that distance.
   glm::dvec3 passed(const Tracer::Point& point, const Target& target,
-                    std::vector<TruthHit>& scratch, double ownNear = 0,
-                    std::optional<std::span<const uint32_t>> among = {}) const;
+                    std::vector<TruthHit>& scratch, double ownNear = 0) const;
+  /// A shadow ray, and what `passed` gives for it.
+  struct ShadowRay {
+    const Tracer::Point* point = nullptr;
+    Target target;
+    double ownNear = 0;
+    glm::dvec3 passed = glm::dvec3(0);
+  };
+  using PacketHits = std::array<std::vector<TruthHit>, kPacket>;
+  /// `passed` of up to kPacket rays, which are best neighbours.
+  void pass(std::span<ShadowRay> rays, PacketHits& scratch) const;
   /// Does the triangle neither shadow the point nor anything else in its plane?
   bool isOwn(uint32_t triangle, const Tracer::Point& point) const {
     return triangle == point.triangle || holds(triangle, point);
@@ -59,8 +69,7 @@ class RayScene {
   glm::dvec3 toLight(uint32_t light, const glm::dvec3& position) const;
   const std::vector<TruthTriangle>& triangles() const { return m_triangles; }
   const SurfaceTraits& traits(uint32_t triangle) const {
-    return m_traits[m_scene.meshes[m_scene.instances[m_triangles[triangle].instance].mesh]
-                        .material];
+    return *m_instanceTraits[m_triangles[triangle].instance];
   }
   /// Farthest coordinate of anything, relative to the eye.
   double extent() const { return m_reach; }
@@ -75,11 +84,21 @@ class RayScene {
   const Scene& scene() const { return m_scene; }
   uint32_t width() const { return m_width; }
   uint32_t height() const { return m_height; }
-  uint64_t bytes() const { return m_triangles.size() * sizeof(TruthTriangle) + m_bvh->bytes(); }
+  uint64_t bytes() const {
+    return m_triangles.size() * (sizeof(TruthTriangle) + sizeof(Plane)) + m_bvh->bytes();
+  }
   uint32_t lights() const { return uint32_t(m_lights.size()); }
 
  private:
-  TruthRay cameraRay(double x, double y) const;
+  /// Of a facet, what tells planes that are far apart.
+  struct Plane {
+    glm::dvec3 normal, ulp;
+  };
+  void aimCameraRay(double x, double y, TruthRay& ray) const;
+  Bvh::Verdict judgeForCamera(const TruthHit& hit) const;
+  /// Of what a camera ray met, leaves what the eye sees.
+  void endCameraHits(CameraHits& hits) const;
+  class Shadow;
   Facet facet(uint32_t triangle) const;
   /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
   bool sameSurface(const TruthHit& a, const TruthHit& b, double range) const;
@@ -89,10 +108,15 @@ class RayScene {
 
   const Scene& m_scene;
   uint32_t m_width, m_height;
+  const glm::dmat3 m_cameraAxes;
+  const double m_cameraTangent;  ///< of half the vertical angle
   std::vector<TruthTriangle> m_triangles;
+  std::vector<Plane> m_planes;  ///< of each triangle
   std::vector<SurfaceTraits> m_traits;
+  std::vector<const SurfaceTraits*> m_instanceTraits;
   std::vector<gpu::LightData> m_lights;
   std::vector<glm::dvec3> m_lightPositions;
+  std::vector<glm::dvec3> m_lightDirections;  ///< toward directional lights, unit
   MediaField m_media;
   double m_reach;  ///< farthest coordinate of anything
   std::unique_ptr<Bvh> m_bvh;

@@ -13,6 +13,9 @@ class Sampler {
 
   /// Finds the layers at a position, in pixels.
   void find(double x, double y, const AreaSampling& sampling);
+  /// Each at its position; cheaper if those that follow one another are neighbours.
+  static void find(std::span<Sampler> samplers, std::span<const glm::dvec2> positions,
+                   const AreaSampling& sampling);
 
   struct Layer {
     Tracer::Point point;
@@ -20,7 +23,7 @@ class Sampler {
     std::vector<LightVisibility::Answer> answers;  ///< per light; visible 1 where it is not asked
   };
   /// Front to back; the last one is opaque if endsOpaque().
-  const std::vector<Layer>& layers() const { return m_layers; }
+  std::span<const Layer> layers() const { return {m_layers.data(), m_found.hits.size()}; }
   bool endsOpaque() const { return m_found.endsOpaque; }
   /// Luminance that a light would send to the eye from a layer if nothing shadowed it.
   float reflected(size_t layer, uint32_t light) const;
@@ -30,6 +33,7 @@ class Sampler {
   uint64_t rays() const { return m_rays + m_media.rays(); }
 
  private:
+  void beginLayers(double x, double y);
   /// Radiance toward the eye from a layer.
   glm::vec3 shade(size_t layer);
 
@@ -37,7 +41,7 @@ class Sampler {
   const LightVisibility& m_lights;
   MediaView m_media;
   RayScene::CameraHits m_found;
-  std::vector<Layer> m_layers;
+  std::vector<Layer> m_layers;  ///< those of m_found; more are kept for later positions
   LightVisibility::Scratch m_scratch;
   AreaSampling m_sampling;
   uint64_t m_rays = 0;

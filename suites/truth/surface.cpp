@@ -108,10 +108,8 @@ Surface::Response Surface::response(const glm::vec3& position, const glm::vec3& 
   return r;
 }
 
-glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
-                         const glm::vec3& ambient, std::span<const Arrival> arrivals) const {
+glm::vec3 Surface::ownRadiance(const Response& r, const glm::vec3& ambient) const {
   const gpu::MaterialData& m = m_traits.data;
-  const Response r = response(position, normal);
   const float share = gpu::shareReflected(r.metal, r.transmission);
   if (r.unlit) return r.base * share;
   float occlusion = 1;
@@ -120,8 +118,13 @@ glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
   glm::vec3 emissive(m.emissiveCutoff);
   if (has(TEXTURE_EMISSIVE)) emissive *= glm::vec3(sample(TEXTURE_EMISSIVE));
 
-  glm::vec3 radiance =
-      emissive + gpu::ambientLight(ambient, m_scene.sky, r.n) * r.base * (occlusion * share);
+  return emissive + gpu::ambientLight(ambient, m_scene.sky, r.n) * r.base * (occlusion * share);
+}
+
+glm::vec3 Surface::shade(const glm::vec3& position, const glm::vec3& normal,
+                         const glm::vec3& ambient, std::span<const Arrival> arrivals) const {
+  const Response r = response(position, normal);
+  glm::vec3 radiance = ownRadiance(r, ambient);
   for (const Arrival& a : arrivals) radiance += r.reflected(a.toLight) * a.radiance;
   return radiance;
 }

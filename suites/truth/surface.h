@@ -51,6 +51,8 @@ class Surface {
   };
   /// `normal`: geometric, toward the viewer; `position` relative to the eye.
   Response response(const glm::vec3& position, const glm::vec3& normal) const;
+  /// Radiance toward the eye without the lights.
+  glm::vec3 ownRadiance(const Response& response, const glm::vec3& ambient) const;
   /// Radiance toward the eye, not yet weighted by coverage.
   glm::vec3 shade(const glm::vec3& position, const glm::vec3& normal, const glm::vec3& ambient,
                   std::span<const Arrival> arrivals) const;

@@ -1,6 +1,6 @@
-// A scene ready to be traced: triangles relative to the eye in double, and an Embree BVH over them
-// as user geometry (decision D7), so that a ray meets exactly the triangles that testing each of
-// them would find.
+// A scene ready to be traced: triangles relative to the eye in double, and a tree of boxes over
+// them (decision D7), so that a ray meets exactly the triangles that testing each of them would
+// find.
 #pragma once
 
 #include <memory>

@@ -18,6 +18,7 @@ constexpr double kJump = 1.0 / 64;     ///< of visibility
 /// In a penumbra: what changes by less within half a pixel is a slope, not an edge. Narrower
 /// penumbrae lie between positions that are exact.
 constexpr double kSteep = 0.25;
+constexpr uint32_t kRun = kPacket;     ///< pixels that are traced together
 constexpr int kDilate = 2;             ///< pixels
 
 /// Layer of the truth (0: first opaque) -> index into the sampler's layers, or none.
@@ -65,13 +66,19 @@ class Tracing {
   std::optional<Truth> run() {
     const auto start = std::chrono::steady_clock::now();
     tbb::parallel_for(tbb::blocked_range<uint32_t>(0, m_scene.height()), [&](const auto& range) {
-      Sampler centre(m_scene, m_lights), beside(m_scene, m_lights);
+      std::vector<Sampler> centres(kRun, Sampler(m_scene, m_lights));
+      std::vector<Sampler> beside(4 * kRun, Sampler(m_scene, m_lights));
       for (uint32_t y = range.begin(); y < range.end() && !interrupted(); ++y) {
         double worst = 0;
-        for (uint32_t x = 0; x < m_scene.width(); ++x) tracePixel(x, y, centre, beside, worst);
+        for (uint32_t x = 0; x < m_scene.width(); x += kRun) {
+          const uint32_t count = std::min(kRun, m_scene.width() - x);
+          traceRun(x, y, std::span(centres).first(count), std::span(beside).first(4 * count),
+                   worst);
+        }
         rowDone(worst);
       }
-      m_rays += centre.rays() + beside.rays();
+      for (const Sampler& s : centres) m_rays += s.rays();
+      for (const Sampler& s : beside) m_rays += s.rays();
     });
     if (interrupted()) return {};
     for (auto& mask : m_truth.edges) {
@@ -98,10 +105,27 @@ class Tracing {
     m_settings.progress(double(done) / m_scene.height());
   }
 
-  /// `worst`: largest standard error so far.
-  void tracePixel(uint32_t x, uint32_t y, Sampler& centre, Sampler& beside, double& worst) {
-    const size_t pixel = size_t(y) * m_scene.width() + x;
-    centre.find(x + 0.5, y + 0.5, m_settings.sampling);
+  /// Pixels side by side, from `x`. `worst`: largest standard error so far.
+  void traceRun(uint32_t x, uint32_t y, std::span<Sampler> centres, std::span<Sampler> beside,
+                double& worst) {
+    std::array<glm::dvec2, kRun> middles;
+    std::array<glm::dvec2, 4 * kRun> corners;
+    for (uint32_t i = 0; i < centres.size(); ++i) {
+      middles[i] = {x + i + 0.5, y + 0.5};
+      for (uint32_t c = 0; c < 4; ++c)
+        corners[4 * i + c] =
+            middles[i] + glm::dvec2(c & 1 ? kOffset : -kOffset, c & 2 ? kOffset : -kOffset);
+    }
+    Sampler::find(centres, std::span(middles).first(centres.size()), m_settings.sampling);
+    Sampler::find(beside, std::span(corners).first(beside.size()), m_coarse);
+    for (uint32_t i = 0; i < centres.size(); ++i) {
+      const size_t pixel = size_t(y) * m_scene.width() + x + i;
+      keep(centres[i], pixel, worst);
+      for (uint32_t c = 0; c < 4; ++c) compare(centres[i], beside[4 * i + c], pixel);
+    }
+  }
+
+  void keep(Sampler& centre, size_t pixel, double& worst) {
     const glm::vec3 color = centre.color();
     for (size_t c = 0; c < 3; ++c) m_truth.image[4 * pixel + c] = color[int(c)];
     m_truth.image[4 * pixel + 3] = 1;
@@ -130,11 +154,6 @@ class Tracing {
       for (int c = 0; c < 3; ++c) out[c] = float(answer.visible[c]);
       out[3] = 1;
     }
-    for (int corner = 0; corner < 4; ++corner) {
-      beside.find(x + 0.5 + (corner & 1 ? kOffset : -kOffset),
-                  y + 0.5 + (corner & 2 ? kOffset : -kOffset), m_coarse);
-      compare(centre, beside, pixel);
-    }
   }
 
   void compare(const Sampler& a, const Sampler& b, size_t pixel) {
@@ -155,18 +174,20 @@ class Tracing {
 
   /// Grows a mask by kDilate pixels, corners included.
   void dilate(std::vector<uint8_t>& mask) const {
-    const int w = int(m_scene.width()), h = int(m_scene.height());
-    auto grow = [&](int count, int lines, int step, int lineStep) {
-      std::vector<uint8_t> line(size_t(count), 0);
-      for (int n = 0; n < lines; ++n) {
-        for (int i = 0; i < count; ++i) line[size_t(i)] = mask[size_t(n * lineStep + i * step)];
-        for (int i = 0; i < count; ++i)
-          for (int k = std::max(0, i - kDilate); k <= std::min(count - 1, i + kDilate); ++k)
-            mask[size_t(n * lineStep + i * step)] |= line[size_t(k)];
-      }
+    const auto w = std::ptrdiff_t(m_scene.width()), size = std::ptrdiff_t(mask.size());
+    // Whole rows are shifted onto one another; what would cross a row's end is not.
+    const auto grow = [&](std::ptrdiff_t step, std::ptrdiff_t row) {
+      const std::vector<uint8_t> old = mask;
+      for (std::ptrdiff_t first = 0; first < size; first += row)
+        for (std::ptrdiff_t k = -kDilate * step; k <= kDilate * step; k += step) {
+          const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, -k);
+          const std::ptrdiff_t end = std::min(row, row - k);
+          for (std::ptrdiff_t i = begin; i < end; ++i)
+            mask[size_t(first + i)] |= old[size_t(first + i + k)];
+        }
     };
-    grow(w, h, 1, w);
-    grow(h, w, w, 1);
+    grow(1, w);
+    grow(w, size);
   }
 
   const RayScene& m_scene;

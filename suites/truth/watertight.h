@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
 namespace sb {
@@ -17,18 +18,30 @@ namespace sb {
 template <class Scalar>
 struct ShearedRay {
   using Vec = glm::vec<3, Scalar>;
-  Vec origin;
   int kx, ky, kz;
-  Scalar sx, sy, sz;
+  Scalar sx, sy;
+  Scalar dz;          ///< the direction along kz; its inverse scales z
+  Scalar ox, oy, oz;  ///< the origin, in the order of kx, ky, kz
 
-  ShearedRay(const Vec& o, const Vec& d) : origin(o) {
+  ShearedRay() = default;
+  ShearedRay(const Vec& o, const Vec& d) {
+    head(d);
+    start(o);
+  }
+  void head(const Vec& d) {
     const Vec a = glm::abs(d);
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
-    sx = d[kx] / d[kz];
-    sy = d[ky] / d[kz];
-    sz = Scalar(1) / d[kz];
+    const Scalar* direction = glm::value_ptr(d);
+    dz = direction[kz];
+    sx = direction[kx] / dz;
+    sy = direction[ky] / dz;
+  }
+  /// Having a heading already.
+  void start(const Vec& o) {
+    const Scalar* origin = glm::value_ptr(o);
+    ox = origin[kx], oy = origin[ky], oz = origin[kz];
   }
 };
 
@@ -43,11 +56,13 @@ template <class Scalar>
 std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
                                              const std::array<glm::vec<3, Scalar>, 3>& triangle) {
   Scalar x[3], y[3], z[3];
+  const Scalar sz = Scalar(1) / ray.dz;
   for (int i = 0; i < 3; ++i) {
-    const auto p = triangle[size_t(i)] - ray.origin;
-    z[i] = ray.sz * p[ray.kz];
-    x[i] = p[ray.kx] - ray.sx * p[ray.kz];
-    y[i] = p[ray.ky] - ray.sy * p[ray.kz];
+    const Scalar* corner = glm::value_ptr(triangle[size_t(i)]);
+    const Scalar pz = corner[ray.kz] - ray.oz;
+    z[i] = sz * pz;
+    x[i] = corner[ray.kx] - ray.ox - ray.sx * pz;
+    y[i] = corner[ray.ky] - ray.oy - ray.sy * pz;
   }
   // Edge i lies opposite to vertex i. a b - c d is exactly the negative of c d - a b.
   Scalar e[3];
@@ -73,7 +88,7 @@ std::optional<TriangleHit<Scalar>> intersect(const ShearedRay<Scalar>& ray,
   hit.b = e[1] * inverse;
   hit.c = e[2] * inverse;
   // Shearing keeps the handedness of (kx, ky, kz); the ray looks along +z or -z of it.
-  hit.front = (sum < 0) == (ray.sz > 0);
+  hit.front = (sum < 0) == (sz > 0);
   return hit;
 }
 

@@ -66,6 +66,7 @@ struct LightEffects {
   std::vector<uint32_t> perforatedCasters;
   std::vector<uint32_t> translucentCasters;
   std::vector<uint32_t> media;  ///< into Scene::media: may dim the light on its way to the view
+  double penumbra = 0;  ///< no penumbra is wider, in heights of the picture; 0: all are hard
   bool casts() const {
     return touchesView &&
            !(opaqueCasters.empty() && perforatedCasters.empty() && translucentCasters.empty());

@@ -48,7 +48,7 @@ Knobs Knobs::resolve(const std::vector<KnobInfo>& infos,
   }
   for (const KnobInfo& info : infos)
     if (knobs.m_values[info.name] != info.fallback)
-      knobs.m_changed.push_back(info.name + ":" + knobs.m_values[info.name]);
+      knobs.m_changed.emplace_back(info.name, knobs.m_values[info.name]);
   return knobs;
 }
 
@@ -65,12 +65,6 @@ uint32_t Knobs::integer(std::string_view name) const {
 
 float Knobs::number(std::string_view name) const {
   return float(base::readNumber(text(name), {}).value());
-}
-
-std::string Knobs::nameSuffix() const {
-  std::string out;
-  for (const std::string& part : m_changed) out += (out.empty() ? "" : "/") + part;
-  return out;
 }
 
 }  // namespace sb

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sb {
@@ -36,12 +37,12 @@ class Knobs {
   uint32_t integer(std::string_view name) const;
   float number(std::string_view name) const;
   const std::map<std::string, std::string, std::less<>>& all() const { return m_values; }
-  /// Those that differ from their defaults, in declaration order: "size:2048/kernel:5".
-  std::string nameSuffix() const;
+  /// Names and values of those that differ from their defaults, in declaration order.
+  const std::vector<std::pair<std::string, std::string>>& changed() const { return m_changed; }
 
  private:
   std::map<std::string, std::string, std::less<>> m_values;
-  std::vector<std::string> m_changed;
+  std::vector<std::pair<std::string, std::string>> m_changed;
 };
 
 }  // namespace sb

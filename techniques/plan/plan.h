@@ -19,7 +19,7 @@ struct Plan {
   bool runs(Effect effect) const { return planned.has(effect); }
 };
 
-/// `represents`: of the shadow technique and the transparency technique together. `forced` (tests
+/// `represents`: of the techniques that draw the cell together. `forced` (tests
 /// only) plans effects that the scene lacks; the picture must not change (index 00, skip planner).
 Plan makePlan(const Effects& effects, EffectSet represents, EffectSet forced = {});
 

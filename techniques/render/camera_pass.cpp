@@ -45,11 +45,10 @@ void CameraPass::moved(Frame& frame) {
 }
 
 const std::string& CameraPass::folder(Receivers receivers) const {
-  static const std::string kLit = "none";
   const TransparencyEntry* transparency = m_desc.transparency;
   const bool lit = receivers == Receivers::Translucent && byLayer() &&
                    !(transparency && transparency->info.handsOutLayers);
-  return lit ? kLit : m_desc.folder;
+  return lit ? baselineTechnique().info.folder : m_desc.folder;
 }
 
 std::string CameraPass::shaded(Receivers receivers, const std::string& transparencyFolder,

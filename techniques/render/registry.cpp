@@ -1,6 +1,7 @@
 #include "techniques/render/registry.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "techniques/plan/error.h"
@@ -18,7 +19,7 @@ template <class T>
 std::vector<const Registered<T>*> sorted() {
   std::vector<const Registered<T>*> list;
   for (const auto& [name, entry] : table<T>()) list.push_back(&entry);
-  std::ranges::stable_partition(list, [](auto* e) { return e->info.name == "none"; });
+  std::ranges::stable_partition(list, [](auto* e) { return e->info.baseline; });
   return list;
 }
 
@@ -38,6 +39,11 @@ std::vector<const TransparencyEntry*> transparencyTechniques() {
   return sorted<TransparencyTechnique>();
 }
 std::vector<const LightsEntry*> lightTechniques() { return sorted<LightTechnique>(); }
+const ShadowEntry& baselineTechnique() {
+  const ShadowEntry& first = *shadowTechniques().front();
+  assert(first.info.baseline && "one technique says that it is the baseline");
+  return first;
+}
 const ShadowEntry& shadowTechnique(std::string_view name) {
   return find<ShadowTechnique>("technique", name);
 }

@@ -20,13 +20,12 @@ using ShadowEntry = Registered<ShadowTechnique>;
 using TransparencyEntry = Registered<TransparencyTechnique>;
 using LightsEntry = Registered<LightTechnique>;
 
-/// The loop over lights that names leave out.
-inline constexpr const char* kDefaultLights = "AllLights";
-
-/// All registered, sorted by name ("none" first, for it is the baseline).
+/// All registered, sorted by name, the baseline first.
 std::vector<const ShadowEntry*> shadowTechniques();
 std::vector<const TransparencyEntry*> transparencyTechniques();
 std::vector<const LightsEntry*> lightTechniques();
+/// The one that has no shadows.
+const ShadowEntry& baselineTechnique();
 /// Throws InputError with the nearest names.
 const ShadowEntry& shadowTechnique(std::string_view name);
 const TransparencyEntry& transparencyTechnique(std::string_view name);

@@ -26,49 +26,18 @@ void add(VisibilityInputs& inputs, const VisibilityInputs& more) {
 
 }  // namespace
 
-std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency) {
-  std::vector<KnobInfo> knobs = technique.knobs;
-  knobs.insert(knobs.end(), transparency.knobs.begin(), transparency.knobs.end());
-  return knobs;
-}
-
-std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency, const Knobs& knobs,
-                                     EffectSet present) {
-  if (technique.drawsInParts && technique.drawsInParts(knobs) &&
-      !(transparency.drawsParts && transparency.drawsParts(knobs)))
-    return rhi::Skip{technique.name + " makes shadow maps between translucent surfaces here, and " +
-                     transparency.name + " does not draw those one after another"};
-  if (technique.receiversByLayer && !device.formatCaps(rhi::Format::D32FloatS8).depthTarget)
-    return rhi::Skip{"the device has no depth targets of D32F with stencil"};
-  // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03,
-  // P2).
-  std::vector<rhi::Feature> needed = {rhi::Feature::GeometryShader};
-  needed.insert(needed.end(), technique.requires_.begin(), technique.requires_.end());
-  needed.insert(needed.end(), transparency.requires_.begin(), transparency.requires_.end());
-  for (const TechniqueInfo* info : {&technique, &transparency})
-    for (const auto& [effect, feature] : info->requiresFor)
-      if (present.has(effect) && !device.supports(feature))
-        return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature)) + ", which " +
-                         info->name + " needs for " + std::string(effectName(effect))};
-  for (rhi::Feature feature : needed)
-    if (!device.supports(feature))
-      return rhi::Skip{"the device lacks " + std::string(rhi::featureName(feature))};
-  return {};
-}
-
 Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
                    RendererDesc desc)
     : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
   const auto before = device.device.ledger().bytesByLabel();
   const TechniqueInfo& info = m_desc.technique->info;
-  m_plan = makePlan(effects, representedBy(info, m_desc.transparency->info), m_desc.forced);
+  m_plan = makePlan(effects, representedBy(m_desc.set()), m_desc.forced);
   m_view = std::make_unique<SceneView>(device.device, gpuScene, effects, m_desc.size, m_desc.seed);
 
   // Without a light that casts there is no shadow to compute: lighting alone, whatever the
   // technique.
   const bool casts = std::ranges::any_of(effects.lights, &LightEffects::casts);
-  std::string folder = "none";
+  std::string folder = baselineTechnique().info.folder;
   VisibilityInputs inputs;
   if (casts) {
     m_technique = m_desc.technique->make();
@@ -79,14 +48,13 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     inputs = m_technique->inputs();
     folder = inputs.folder.empty() ? info.folder : inputs.folder;
   }
-  const LightsEntry& lights = m_desc.lights ? *m_desc.lights : lightTechnique(kDefaultLights);
-  m_lights = lights.make();
+  m_lights = m_desc.lights->make();
   m_lights->prepare(context());
   add(inputs, m_lights->inputs());
   m_camera = std::make_unique<CameraPass>(
       context(), CameraPassDesc{.folder = folder,
                                 .inputs = std::move(inputs),
-                                .lightsFolder = lights.info.folder,
+                                .lightsFolder = m_desc.lights->info.folder,
                                 .byLayer = info.receiversByLayer ? m_technique.get() : nullptr,
                                 .transparency = m_desc.transparency});
   m_bytes = difference(device.device.ledger().bytesByLabel(), before);

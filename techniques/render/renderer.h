@@ -1,5 +1,5 @@
-// One cell of the matrix, ready to render: a technique and a transparency technique on a scene view
-// of a device. Made outside timed regions; `frame` is what is measured.
+// One cell of the matrix, ready to render: a technique of each kind on a scene view of a device.
+// Made outside timed regions; `frame` is what is measured.
 #pragma once
 
 #include <map>
@@ -21,20 +21,13 @@ struct DeviceContext {
 struct RendererDesc {
   const ShadowEntry* technique = nullptr;
   const TransparencyEntry* transparency = nullptr;
-  const LightsEntry* lights = nullptr;  ///< null: AllLights
-  Knobs knobs;                          ///< of the first two together: no loop over lights has any yet
+  const LightsEntry* lights = nullptr;
+  Knobs knobs;  ///< of the three together
   rhi::Extent2D size;
   uint32_t seed = 0;
   EffectSet forced;  ///< tests only, see makePlan
+  TechniqueSet set() const { return {&technique->info, &transparency->info, &lights->info}; }
 };
-
-/// Knobs of a pair: names are unique across both.
-std::vector<KnobInfo> knobsOf(const TechniqueInfo& technique, const TechniqueInfo& transparency);
-
-/// Why a device cannot run a pair with these knobs on a scene that calls for `present`, or nothing.
-std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueInfo& technique,
-                                     const TechniqueInfo& transparency, const Knobs& knobs,
-                                     EffectSet present);
 
 class Renderer {
  public:

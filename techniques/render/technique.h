@@ -6,9 +6,11 @@
 // program names it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +40,9 @@ struct TechniqueInfo {
   std::vector<KnobInfo> knobs;
   std::string error;  ///< what its error is by construction (spec 16's table)
   bool stochastic = false;
+  bool baseline =
+      false;            ///< of shadow techniques one: without shadows, what costs are told against
+  bool tracer = false;  ///< the truth's own, which draws on no device and is in no registry
   /// Hard cases (suites/stability) that it does not pass by construction, and why: by id, or by
   /// "id knob:value" for one variant.
   std::map<std::string, std::string> breaksIn;
@@ -55,8 +60,23 @@ struct TechniqueInfo {
   bool handsOutLayers = false;
 };
 
-/// What a pair represents together.
-EffectSet representedBy(const TechniqueInfo& technique, const TechniqueInfo& transparency);
+/// The plug-ins that draw a cell together, one of each kind. None may be null.
+struct TechniqueSet {
+  const TechniqueInfo* shadow = nullptr;
+  const TechniqueInfo* transparency = nullptr;
+  const TechniqueInfo* lights = nullptr;
+  std::array<const TechniqueInfo*, 3> all() const { return {shadow, transparency, lights}; }
+};
+
+/// What they represent together.
+EffectSet representedBy(const TechniqueSet& set);
+
+/// Knobs of all three: names are unique across them.
+std::vector<KnobInfo> knobsOf(const TechniqueSet& set);
+
+/// Why a device cannot run them with these knobs on a scene that calls for `present`, or nothing.
+std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueSet& set,
+                                     const Knobs& knobs, EffectSet present);
 
 /// Receivers of which a pixel holds one at most.
 struct ReceiverLayer {

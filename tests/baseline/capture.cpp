@@ -59,8 +59,9 @@ Capture captureShadowMap(const Scene& scene, const rhi::ShaderLibrary& shaders,
     PipelineCache pipelines(*device);
     FrameQueries queries(*device);
     Stage stage(scene, size);
-    const auto renderer = stage.renderer({*device, shaders, pipelines, queries},
-                                         rendererDesc("ShadowMap", "Sorted", {}, size));
+    const auto renderer = stage.renderer(
+        {*device, shaders, pipelines, queries},
+        rendererDesc({.technique = "ShadowMap", .width = size.width, .height = size.height}));
     renderer->frame();
     recorder.finish(*device);
   }

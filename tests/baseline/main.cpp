@@ -70,8 +70,9 @@ int run(const std::string& api, const std::string& quads, int pairs) {
   PipelineCache pipelines(*device);
   FrameQueries queries(*device);
   Stage stage(scene, size);
-  const auto renderer = stage.renderer({*device, shaders, pipelines, queries},
-                                       rendererDesc("ShadowMap", "Sorted", {}, size));
+  const auto renderer = stage.renderer(
+      {*device, shaders, pipelines, queries},
+      rendererDesc({.technique = "ShadowMap", .width = size.width, .height = size.height}));
   auto drawByHand = [&](Times& times) {
     times.measure([&] { byHand->submit(); }, [&] { byHand->wait(); });
   };

@@ -11,8 +11,7 @@ class Compare : public testing::Test {
   /// A cell on `backend` whose frames all take `cpuMs` and whose picture has one grey.
   void add(const std::string& technique, const std::string& backend, double cpuMs, float grey) {
     CellResult r;
-    r.id = {
-        .technique = technique, .transparency = "Sorted", .backend = backend, .scene = "layers"};
+    r.id = {.technique = technique, .backend = backend, .scene = "layers"};
     r.record.name = cellName(r.id);
     r.picture = {1, 1, {grey, grey, grey, 1}};
     FrameResult frame;

@@ -13,7 +13,7 @@ class NullGroup : public testing::Test {
 
   std::vector<CellResult> measure(const std::vector<CellId>& cells, const MeasureSettings& s) {
     Devices devices({&m_vulkan, &m_opengl, &m_broken}, m_shaders, {});
-    return measureGroup(cells, devices, s, "test");
+    return measureGroup({cells.begin(), cells.end()}, devices, s, "test");
   }
 
   rhi::ShaderLibrary m_shaders;
@@ -36,7 +36,7 @@ TEST_F(NullGroup, FillsARecordOfEveryCell) {
     EXPECT_GT(r.drawCount, 0u);
     EXPECT_GT(r.bytes, 0u);
     EXPECT_EQ(r.sceneHash.size(), 16u);
-    EXPECT_FALSE(r.knobs.empty() && r.technique != "none");
+    EXPECT_FALSE(r.knobs.empty() && r.id.technique != "none");
   }
   EXPECT_GT(results[1].record.passCount, results[0].record.passCount);
   EXPECT_EQ(results[1].record.crossBackendMax255, 0);

@@ -5,6 +5,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/gbench_flags_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/group_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/journal_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/light_loop_cells_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/survive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/protocol_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/samples_test.cpp

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "suites/harness/cell.h"
 #include "techniques/plan/error.h"
 #include "tests/reports/sample_run.h"
 
@@ -14,6 +15,15 @@ namespace sb {
 namespace {
 
 namespace fs = std::filesystem;
+
+const CellId kA{.technique = "CSSM2",
+                .lights = "Clustered",
+                .backend = "vulkan",
+                .scene = "layers",
+                .knobs = {{"size", "512"}, {"kernel", "9"}},
+                .seed = 7};
+constexpr const char* kCell =
+    "{\"technique\":\"a\",\"backend\":\"b\",\"scene\":\"c\",\"width\":1,\"height\":1}";
 
 class JournalTest : public testing::Test {
  protected:
@@ -68,7 +78,7 @@ TEST_F(JournalTest, GivesBackWhatWasPut) {
   const report::Run run = report::sampleRun();
   {
     Journal journal(m_path, header());
-    for (int i = 1; i <= 3; ++i) journal.block("a", block(i / 3.0));
+    for (int i = 1; i <= 3; ++i) journal.block(kA, block(i / 3.0));
     for (const report::Record& r : run.records) journal.cell(r);
     for (const report::StabilityRecord& r : run.stability) journal.hardCase(r);
   }
@@ -77,15 +87,15 @@ TEST_F(JournalTest, GivesBackWhatWasPut) {
   EXPECT_EQ(content.header.arguments, header().arguments);
   EXPECT_FALSE(content.halfLine);
   EXPECT_EQ(content.wholeBytes, fs::file_size(m_path));
-  ASSERT_EQ(content.blocks.at("a").size(), 3u);
-  const FrameResult& frame = content.blocks.at("a")[1].frames[1];
+  ASSERT_EQ(content.blocks.at(kA).size(), 3u);
+  const FrameResult& frame = content.blocks.at(kA)[1].frames[1];
   EXPECT_EQ(frame.wallMs, 2 / 3.0);  // to the last bit
   EXPECT_EQ(frame.counters, (rhi::Counters{.passes = 2, .draws = 4, .dispatches = 1, .triangles = 12}));
   EXPECT_EQ(frame.deviceMs, 0.7 * (2 / 3.0));
-  EXPECT_FALSE(content.blocks.at("a")[1].frames[0].deviceMs);
+  EXPECT_FALSE(content.blocks.at(kA)[1].frames[0].deviceMs);
   ASSERT_EQ(content.cells.size(), run.records.size());
   for (const report::Record& r : run.records) {
-    const report::Record& back = content.cells.at(r.name);
+    const report::Record& back = content.cells.at(r.id);
     EXPECT_EQ(back.status, r.status);
     EXPECT_EQ(back.blocks.size(), r.blocks.size());
     EXPECT_EQ(back.command, r.command);
@@ -104,14 +114,23 @@ TEST_F(JournalTest, TheLastLineOfACellCounts) {
     r.warnings = {"second"};
     journal.cell(r);
   }
-  EXPECT_EQ(readJournal(m_path).cells.at(r.name).warnings, std::vector<std::string>{"second"});
+  EXPECT_EQ(readJournal(m_path).cells.at(r.id).warnings, std::vector<std::string>{"second"});
+}
+
+// Names of files need not be UTF-8, which lines of JSON are.
+TEST_F(JournalTest, CellsOfAnyFileFindTheirBlocks) {
+  CellId cell = kA;
+  cell.scene = "a\xff\x1b[31m.glb";
+  { Journal(m_path, header()).block(recordedId(cell), block(1)); }
+  EXPECT_TRUE(readJournal(m_path).blocks.contains(recordedId(cell)));
+  EXPECT_EQ(cellName(recordedId(cell)), cellName(cell));
 }
 
 TEST_F(JournalTest, OneRunAtATimeWritesIt) {
   EXPECT_FALSE(isJournalInUse(m_path));
   {
     Journal journal(m_path, header());
-    journal.block("a", block(1));
+    journal.block(kA, block(1));
     EXPECT_TRUE(isJournalInUse(m_path));
     const std::string before = text();
     EXPECT_THROW(Journal(m_path, header()), InputError);
@@ -127,8 +146,8 @@ TEST_F(JournalTest, OneRunAtATimeWritesIt) {
 TEST_F(JournalTest, ALineThatWasCutOffIsLeftOutAndWrittenOver) {
   {
     Journal journal(m_path, header());
-    journal.block("a", block(1));
-    journal.block("a", block(2));
+    journal.block(kA, block(1));
+    journal.block(kA, block(2));
   }
   const std::string whole = text();
   const size_t lastLine = whole.rfind('\n', whole.size() - 2) + 1;
@@ -137,25 +156,28 @@ TEST_F(JournalTest, ALineThatWasCutOffIsLeftOutAndWrittenOver) {
     const JournalContent content = readJournal(m_path);
     ASSERT_EQ(content.halfLine, size > lastLine) << size;
     ASSERT_EQ(content.wholeBytes, lastLine);
-    ASSERT_EQ(content.blocks.at("a").size(), 1u);
-    Journal(m_path, content).block("a", block(2));
+    ASSERT_EQ(content.blocks.at(kA).size(), 1u);
+    Journal(m_path, content).block(kA, block(2));
     ASSERT_EQ(text(), whole);
   }
 }
 
 TEST_F(JournalTest, WhatIsNoJournalIsRefused) {
   EXPECT_NE(errorOf().find("found no journal"), std::string::npos);
-  const std::string first = "{\"journal\":1,\"arguments\":[],\"folder\":\"\",\"program\":\"\","
-                            "\"settings\":{},\"scenes\":{},\"devices\":{},\"cells\":[],"
-                            "\"hard_cases\":[]}\n";
+  const std::string first =
+      "{\"journal\":2,\"arguments\":[],\"folder\":\"\",\"program\":\"\","
+      "\"settings\":{},\"scenes\":{},\"devices\":{},\"cells\":[],"
+      "\"hard_cases\":[]}\n";
   const std::pair<std::string, std::string> kWrong[] = {
       {"", "holds nothing"},
       {"{}", "holds nothing"},
       {"{}\n", "run.journal:1: journal: found nothing"},
-      {"{\"journal\":2}\n", "run.journal:1: journal: found 2"},
+      {"{\"journal\":1}\n", "run.journal:1: journal: found 1"},
       {first + "x\n" + first, "run.journal:2: found no JSON"},
       {first + "{\"cell\":[]}\n", "run.journal:2: cell"},
-      {first + "{\"block\":{\"cell\":\"a\",\"frames\":[[1]]}}\n", "nine numbers"},
+      {first + "{\"block\":{\"cell\":" + std::string(kCell) + ",\"frames\":[[1]]}}\n",
+       "nine numbers"},
+      {first + "{\"block\":{\"cell\":\"a\",\"frames\":[]}}\n", "run.journal:2: block.cell"},
       {first + "{\"other\":1}\n", "run.journal:2"},
   };
   for (const auto& [content, words] : kWrong) {

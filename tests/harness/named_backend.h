@@ -44,12 +44,7 @@ class NamedBackend final : public rhi::Backend {
 };
 
 inline CellId smallCell(const std::string& technique, const std::string& backend) {
-  return {.technique = technique,
-          .transparency = "Sorted",
-          .backend = backend,
-          .scene = "layers",
-          .width = 16,
-          .height = 16};
+  return {.technique = technique, .backend = backend, .scene = "layers", .width = 16, .height = 16};
 }
 
 /// Three repetitions of one frame each, of nothing but the frames.

@@ -131,7 +131,6 @@ TEST(Selection, KnobsOfOneTechniqueLeaveOthersAlone) {
 
 TEST(Selection, CommandsReproduceTheCell) {
   CellId id = {.technique = "CSSM2",
-               .transparency = "Sorted",
                .backend = "vulkan",
                .scene = "/tmp/it's a $cene.glb",
                .knobs = {{"kernel", "3"}},
@@ -182,20 +181,20 @@ TEST(Groups, EveryCellHasItsBaselineBesideIt) {
   const auto groups = groupCells(select({.filter = "CSSM2", .size = {}}));
   EXPECT_EQ(groups.size(), 4u) << "one a scene";
   for (const auto& group : groups) {
-    std::set<std::string> names;
-    for (const CellId& c : group) {
-      names.insert(cellName(c));
-      EXPECT_EQ(c.companion, c.technique == "none");
+    std::set<CellId> ids;
+    for (const auto& [id, companion] : group) {
+      ids.insert(id);
+      EXPECT_EQ(companion, id.technique == "none");
     }
-    for (const CellId& c : group) EXPECT_TRUE(names.contains(cellName(baselineOf(c))));
-    EXPECT_EQ(names.size(), 4u);
+    for (const GroupCell& c : group) EXPECT_TRUE(ids.contains(baselineOf(c.id)));
+    EXPECT_EQ(ids.size(), 4u);
   }
 }
 
 TEST(Groups, BaselinesThatWereAskedForAreNoCompanions) {
   // In groups that hold a scene: smaller ones repeat their baseline.
   for (const auto& group : groupCells(select({}), 64))
-    for (const CellId& c : group) EXPECT_FALSE(c.companion);
+    for (const GroupCell& c : group) EXPECT_FALSE(c.companion);
 }
 
 TEST(Groups, BackendsOfACellStayTogether) {
@@ -210,8 +209,8 @@ TEST(Groups, BackendsOfACellStayTogether) {
   EXPECT_EQ(groups.size(), 3u);
   for (const auto& group : groups) {
     std::set<std::string> backends;
-    for (const CellId& c : group)
-      if (!c.companion) backends.insert(c.backend);
+    for (const GroupCell& c : group)
+      if (!c.companion) backends.insert(c.id.backend);
     EXPECT_EQ(backends.size(), 3u);
   }
 }

@@ -182,10 +182,11 @@ TEST(Suite, FiguresNameTheirCells) {
   ASSERT_EQ(figures.size(), 1u);
   const report::Figure& f = figures[0];
   // What a filter leaves out belongs to the figure all the same.
-  EXPECT_EQ(f.cells, (std::vector<std::string>{"none/vulkan/spheres_quads:quads=0/512x512",
-                                               "ShadowMap/vulkan/spheres_quads:quads=0/512x512",
-                                               "none/vulkan/spheres_quads/512x512",
-                                               "ShadowMap/vulkan/spheres_quads/512x512"}));
+  EXPECT_EQ(f.cells, (std::vector<report::FigureCell>{
+                         {"none/vulkan/spheres_quads:quads=0/512x512", "vulkan"},
+                         {"ShadowMap/vulkan/spheres_quads:quads=0/512x512", "vulkan"},
+                         {"none/vulkan/spheres_quads/512x512", "vulkan"},
+                         {"ShadowMap/vulkan/spheres_quads/512x512", "vulkan"}}));
   EXPECT_EQ(f.kind, report::FigureKind::Scaling);
   EXPECT_EQ(f.xFallback, 200);
   ASSERT_EQ(f.statements.size(), 2u);

@@ -17,7 +17,7 @@ class Survive : public testing::Test {
   Survive() {
     shadowbench_shader_blob::addTo(m_shaders);
     m_settings.interrupted = &m_interrupted;
-    m_settings.onBlock = [&](const std::string& cell, const SampleBlock& block) {
+    m_settings.onBlock = [&](const CellId& cell, const SampleBlock& block) {
       m_blocks[cell].push_back(block);
     };
     m_settings.onVerified = [&](const CellResult& r) { m_verified.push_back(r.record); };
@@ -25,7 +25,7 @@ class Survive : public testing::Test {
   ~Survive() override { rhi::pretendFreeMemory({}); }
 
   std::vector<CellResult> measure(const std::vector<CellId>& cells) {
-    return measureGroup(cells, m_devices, m_settings, "test");
+    return measureGroup({cells.begin(), cells.end()}, m_devices, m_settings, "test");
   }
   size_t blocks() const {
     size_t count = 0;
@@ -38,7 +38,7 @@ class Survive : public testing::Test {
   NamedBackend m_vulkan{"vulkan"}, m_opengl{"opengl"};
   Devices m_devices{{&m_vulkan, &m_opengl}, m_shaders, {}};
   MeasureSettings m_settings = shortSettings();
-  std::map<std::string, std::vector<SampleBlock>> m_blocks;
+  std::map<CellId, std::vector<SampleBlock>> m_blocks;
   std::vector<report::Record> m_verified;
 };
 
@@ -51,8 +51,8 @@ TEST_F(Survive, AnInterruptLosesNoBlockThatWasMeasured) {
     m_blocks.clear();
     m_interrupted = false;
     m_settings.earlierBlocks = nullptr;
-    m_settings.onBlock = [&](const std::string& name, const SampleBlock& block) {
-      put(name, block);
+    m_settings.onBlock = [&](const CellId& cell, const SampleBlock& block) {
+      put(cell, block);
       m_interrupted = blocks() == at;
     };
     for (const CellResult& r : measure(cells)) EXPECT_TRUE(r.finished);
@@ -91,11 +91,10 @@ TEST_F(Survive, CellsThatWereVerifiedAreKeptWhenTheirGroupIsCut) {
 }
 
 TEST_F(Survive, CompanionsAreNotTold) {
-  CellId companion = smallCell("none", "vulkan");
-  companion.companion = true;
-  measure({smallCell("ShadowMap", "vulkan"), companion});
+  measureGroup({smallCell("ShadowMap", "vulkan"), {smallCell("none", "vulkan"), true}}, m_devices,
+               m_settings, "test");
   ASSERT_EQ(m_verified.size(), 1u);
-  EXPECT_EQ(m_verified[0].technique, "ShadowMap");
+  EXPECT_EQ(m_verified[0].id.technique, "ShadowMap");
 }
 
 TEST_F(Survive, ADeviceThatIsLostFailsItsCellsAndTheOtherGoesOn) {

@@ -85,11 +85,14 @@ def identity(technique, backend, scene, variant=""):
     name = "/".join(filter(None, [technique, backend, scene, variant, f"{SIZE}x{SIZE}"]))
     knobs = dict(part.split(":") for part in variant.split("/") if part)
     return name, {
-        "run_name": name, "technique": technique, "transparency": "Sorted", "backend": backend,
+        "run_name": name, "technique": technique, "transparency": "Sorted", "lights": "AllLights",
+        "role": {"none": "baseline", "RayTraced": "tracer"}.get(technique, "technique"),
+        "backend": backend,
         "device": "llvmpipe (LLVM 15, 256 bits)" if backend != "cpu" else "ray tracer",
         "device_type": "software", "driver": "Mesa 22.3.6", "scene": scene,
         "scene_hash": "0123456789abcdef", "width": SIZE, "height": SIZE,
-        "knobs": {"kernel": "3", "size": "1024", **knobs}, "seed": 0, "version": "0.1.0",
+        "knobs": {"kernel": "3", "size": "1024", **knobs}, "knobs_changed": list(knobs), "seed": 0,
+        "version": "0.1.0",
         "effects_planned": ["opaque casters"], "effects_skipped": [], "effects_unrepresented": [],
         "command": f"./bench --technique {technique} --backend {backend} --scene '{scene}'" +
                    "".join(f" --set {k}={v}" for k, v in knobs.items())}
@@ -213,7 +216,8 @@ def hard_cases():
 
 def figure(id, kind, cells, statements, x=""):
     return {"id": id, "title": f"Title of {id} <b>", "kind": kind, "document": "It says <b>so</b>.",
-            "x": x, "x_fallback": 0, "cells": cells, "missing": [],
+            "x": x, "x_fallback": 0, "cells": cells,
+            "cell_backends": [name.split("/")[1] for name in cells], "missing": [],
             "stated": [{"cells": "^CSSM2/", "passes": "three, <b>stated</b>", "attachments": "two",
                         "bytes": ""}],
             "statements": [{"text": f"<b>Claim</b> on {left}", "of": of,

@@ -19,13 +19,8 @@ Record cell(const std::string& technique, const std::string& backend, int quads,
             double precision = 0) {
   const std::string scene = "spheres_quads:quads=" + std::to_string(quads);
   Record r{
+      .id = {.technique = technique, .backend = backend, .scene = scene, .width = 64, .height = 64},
       .name = technique + "/" + backend + "/" + scene + "/64x64",
-      .technique = technique,
-      .transparency = "Sorted",
-      .backend = backend,
-      .scene = scene,
-      .width = 64,
-      .height = 64,
       .timeSource = "software",
       .cpu = Distribution{.median = ms},
       .passes = {{.label = "shadow map", .count = 2, .draws = 7}, {.label = "opaque", .draws = 3}},
@@ -61,7 +56,7 @@ Figure scaling(const Results& run, const std::vector<FigureStatement>& statement
            .document = "It says <so>.",
            .statements = statements,
            .stated = {}};
-  for (const Record& r : run.records) f.cells.push_back(r.name);
+  for (const Record& r : run.records) f.cells.push_back({r.name, r.id.backend});
   return f;
 }
 
@@ -109,7 +104,7 @@ TEST(Figures, XIsAParameterOfTheSceneAKnobOrTheDefault) {
   Figure f = scaling({}, {});
   Record r = cell("A", "vulkan", 100, 1);
   const auto x = [&](const std::string& scene) {
-    r.scene = scene;
+    r.id.scene = scene;
     return xOf(f, r);
   };
   EXPECT_EQ(x("s:quads=250"), 250);
@@ -118,7 +113,7 @@ TEST(Figures, XIsAParameterOfTheSceneAKnobOrTheDefault) {
   EXPECT_EQ(x("s?sun:quads=4"), 200);
   EXPECT_EQ(sceneWithoutX(f, r), "s?sun:quads=4");
   const auto rest = [&](const std::string& scene) {
-    r.scene = scene;
+    r.id.scene = scene;
     return sceneWithoutX(f, r);
   };
   EXPECT_EQ(rest("s:quads=1"), "s");
@@ -204,7 +199,7 @@ TEST(Figures, MeansOverDifferentCellsAreNotCompared) {
   const StatementResult result = evaluate(f, less("value"), run);
   EXPECT_EQ(result.verdict, FigureVerdict::Reproduced);
   EXPECT_EQ(result.found, "time, ms: 2 < 4 (opengl)");
-  std::erase_if(run.records, [](const Record& r) { return r.backend == "opengl"; });
+  std::erase_if(run.records, [](const Record& r) { return r.id.backend == "opengl"; });
   EXPECT_EQ(evaluate(f, less("value"), run).why,
             "A/vulkan/spheres_quads:quads=200/64x64 is not in this run");
   // Of a backend that was not measured nothing is said while there is another.
@@ -237,7 +232,7 @@ TEST(Figures, AreReadBackWholeAndShownWithoutTheSuite) {
   number.left.at = 100;
   Figure f = scaling(run, {less("slope"), less("slope", 3), number});
   f.stated = {{.cells = "^A/", .passes = "three", .attachments = "two depths", .bytes = "12 MB"}};
-  f.cells.push_back("C/vulkan/spheres_quads/64x64");
+  f.cells.push_back({"C/vulkan/spheres_quads/64x64", "vulkan"});
   run.figures = {f};
   f.kind = FigureKind::Resources;
   run.figures.push_back(f);
@@ -259,6 +254,19 @@ TEST(Figures, AreReadBackWholeAndShownWithoutTheSuite) {
                            "1 cell is missing of 13", "two depths; 12 MB", "data-curve=\"3\""})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("data-curve=\"4\""), std::string::npos);
+}
+
+TEST(Figures, OldFilesDoNotSayTheBackendsOfCells) {
+  Results run = twoLines();
+  run.figures = {scaling(run, {less("value")})};
+  for (FigureCell& cell : run.figures[0].cells) cell.backend.clear();
+  const Results back = fromJson(toJson(run), "a.json");
+  EXPECT_EQ(back.figures[0].cells, scaling(run, {}).cells);
+  // What was not measured may be of any: nothing is compared without it.
+  run.records.erase(run.records.begin());
+  const Results less = fromJson(toJson(run), "a.json");
+  EXPECT_EQ(evaluate(less.figures[0], less.figures[0].statements[0], less).verdict,
+            FigureVerdict::NotMeasured);
 }
 
 TEST(Figures, MistakesInTheFileAreNamed) {

@@ -53,9 +53,10 @@ TEST_F(Html, HostileTextStaysText) {
   run.warnings = {bad};
   for (Record& r : run.records) {
     for (std::string* text :
-         {&r.name, &r.technique, &r.transparency, &r.backend, &r.device, &r.deviceType, &r.driver,
-          &r.scene, &r.stoppedBy, &r.reason, &r.command})
+         {&r.name, &r.id.technique, &r.id.transparency, &r.id.lights, &r.id.backend, &r.id.scene,
+          &r.device, &r.deviceType, &r.driver, &r.stoppedBy, &r.reason, &r.command})
       *text = bad;
+    r.id.knobs = {{bad, bad}};
     r.warnings = r.contamination = {bad};
     r.knobs = {{bad, bad}};
     r.bytesByLabel = {{bad, 1}};
@@ -184,6 +185,18 @@ TEST_F(Html, RunsWithoutErrorsOrCellsAreWhole) {
   EXPECT_NE(page(run).find("The run has no cells."), std::string::npos);
 }
 
+TEST_F(Html, TechniquesAreToldByAllThatDrawsThemAndTheBaselineIsGrey) {
+  Results run = sampleRun();
+  run.records.resize(2);
+  run.records[0].role = Role::Baseline;
+  run.records[1].id.lights = "Clustered";
+  const std::string text = markup(page(run));
+  EXPECT_NE(text.find("<span class=\"technique tn\">ShadowMap</span>"), std::string::npos);
+  EXPECT_NE(text.find("<span class=\"technique t0\">ShadowMap@Clustered</span>"),
+            std::string::npos);
+  EXPECT_NE(text.find("data-technique=\"ShadowMap@Clustered\""), std::string::npos);
+}
+
 TEST_F(Html, HardCasesHaveVerdictsDetailsAndCurves) {
   Results run;
   StabilityRecord r{.id = "G2",
@@ -241,9 +254,9 @@ TEST_F(Html, TheQuickSuiteStaysBelowTenMegabytes) {
   uint32_t picture = 0;
   for (int cell = 0; cell < 24; ++cell) {
     Record r = sample.records[0];
-    r.scene = "scene" + std::to_string(cell % 4);
-    r.width = r.height = 256;
-    r.name = r.technique + "/" + r.backend + "/" + r.scene + "/256x256";
+    r.id.scene = "scene" + std::to_string(cell % 4);
+    r.id.width = r.id.height = 256;
+    r.name = cellName(r.id);
     // The truth is the scene's.
     r.pictures["truth"] = "abc" + std::to_string(cell % 4);
     for (const char* role : {"image", "error", "blame"})

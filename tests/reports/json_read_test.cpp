@@ -49,7 +49,7 @@ TEST(JsonRead, ValuesArriveInTheirFields) {
   ASSERT_EQ(run.records.size(), 4u);
   const Record& r = run.records[0];
   EXPECT_EQ(r.name, "ShadowMap/vulkan/layers/64x32");
-  EXPECT_EQ(r.seed, 4294967295u);
+  EXPECT_EQ(r.id.seed, 4294967295u);
   EXPECT_EQ(r.blocks.size(), 2u);
   EXPECT_EQ(r.blocks[1].cpuMs, 4);
   EXPECT_EQ(r.cpu->q3, 5.5);
@@ -61,6 +61,46 @@ TEST(JsonRead, ValuesArriveInTheirFields) {
   EXPECT_EQ(run.records[1].contamination.size(), 1u);
   EXPECT_EQ(run.records[2].status, Status::Skipped);
   EXPECT_FALSE(run.records[3].frame);
+}
+
+TEST(JsonRead, TheIdentityComesFromItsFields) {
+  report::Run run = sampleRun();
+  run.records.resize(2);
+  Record& r = run.records[0];
+  r.id.lights = "Clustered";
+  r.id.transparency = "DepthPeeling";
+  r.id.knobs = {{"size", "1024"}, {"kernel", "3"}};  // not in the order of the alphabet
+  r.name = "what a name says decides nothing";
+  r.knobs["format"] = "at its default";
+  r.role = Role::Tracer;
+  run.records[1].role = Role::Baseline;
+  const auto back = fromJson(toJson(run), "a.json");
+  ASSERT_EQ(back.records.size(), 2u);
+  EXPECT_EQ(back.records[0].id, r.id);
+  EXPECT_EQ(back.records[0].knobs, r.knobs);
+  EXPECT_EQ(back.records[0].role, Role::Tracer);
+  EXPECT_EQ(back.records[1].id, run.records[1].id);
+  EXPECT_EQ(back.records[1].role, Role::Baseline);
+}
+
+TEST(JsonRead, OldFilesSayNeitherLoopNorRoleNorWhatWasChanged) {
+  report::Run run = sampleRun();
+  run.records.resize(2);
+  run.records[0].ratios[0].against = run.records[1].name;
+  run.records.push_back(run.records[0]);
+  run.records[2].id.backend = "cpu";
+  run.records[2].name = "RayTraced/cpu/layers/64x32";
+  Json json = Json::parse(toJson(run));
+  for (Json& e : json["benchmarks"])
+    for (const char* key : {"lights", "role", "knobs_changed", "transparency"}) e.erase(key);
+  const auto back = fromJson(json.dump(), "a.json").records;
+  ASSERT_EQ(back.size(), 3u);
+  EXPECT_EQ(back[0].id.lights, kDefaultLights);
+  EXPECT_EQ(back[0].id.transparency, kDefaultTransparency);
+  EXPECT_EQ(back[0].id.knobs, (decltype(back[0].id.knobs){{"kernel", "3"}, {"size", "1024"}}));
+  EXPECT_EQ(back[0].role, Role::Technique);
+  EXPECT_EQ(back[1].role, Role::Baseline);
+  EXPECT_EQ(back[2].role, Role::Tracer);
 }
 
 TEST(JsonRead, OldFilesLackErrors) {
@@ -87,6 +127,11 @@ TEST(JsonRead, ComplaintsNameFileFieldFoundAndExpected) {
   EXPECT_EQ(
       complaint([](Json& j) { good(j)["status"] = "fine"; }),
       "a.json: benchmarks[2].status: found \"fine\", expected \"ok\", \"skipped\" or \"failed\"");
+  EXPECT_EQ(complaint([](Json& j) { good(j)["role"] = "king"; }),
+            "a.json: benchmarks[2].role: found \"king\", expected \"technique\", \"baseline\" or "
+            "\"tracer\"");
+  EXPECT_EQ(complaint([](Json& j) { good(j)["knobs_changed"] = Json::array({"taps"}); }),
+            "a.json: benchmarks[2].knobs.taps: found nothing, expected this key");
   EXPECT_EQ(complaint([](Json& j) { good(j)["width"] = -1; }),
             "a.json: benchmarks[2].width: found -1, expected a whole number of 0 to 4294967295");
   EXPECT_EQ(

@@ -91,8 +91,8 @@ TEST(Console, LongScenesAreNumbered) {
   report::Run run = sampleRun();
   const std::string scene = "../a/Hall.gltf?curtain*:alpha=0.5,t=0.9,0.1,0.1;sun:direction=0,-1,0";
   for (Record& r : run.records) {
-    r.name.replace(r.name.find(r.scene), r.scene.size(), scene);
-    r.scene = scene;
+    r.name.replace(r.name.find(r.id.scene), r.id.scene.size(), scene);
+    r.id.scene = scene;
   }
   const std::string table = toTable(run);
   EXPECT_NE(table.find("/Hall.gltf[1]/"), std::string::npos) << table;
@@ -164,7 +164,7 @@ TEST(Output, TextsOfTablesDoNothing) {
       {"+x", "'+x"},             {"-1.5", "-1.5"},          {"a=1", "a=1"},
       {"a\x1b[31m", "a\\x1b[31m"}, {"a\rb\tc", "a b c"}};
   for (const auto& [text, shown] : kTexts) {
-    r.scene = text;
+    r.id.scene = text;
     const auto rows = readCsv(toCsv(run));
     const auto column = std::ranges::find(rows[0], "scene") - rows[0].begin();
     EXPECT_EQ(rows.at(1).at(size_t(column)), shown);
@@ -173,7 +173,7 @@ TEST(Output, TextsOfTablesDoNothing) {
 
 TEST(Output, TextsThatAreNoUtf8CostNothing) {
   report::Run run = sampleRun();
-  run.records.front().scene = "a\xff";
+  run.records.front().id.scene = "a\xff";
   run.records.front().warnings = {"material '\xc3'"};
   EXPECT_NE(toJson(run).find("\"scene\": \"a\xef\xbf\xbd\""), std::string::npos);
 }

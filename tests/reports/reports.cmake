@@ -1,5 +1,6 @@
 # Tests of reports: statistics, the exact text of every output, results read back, the page's text.
 target_sources(unit_tests PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/cell_id_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/exr_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/figure_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/html_test.cpp

@@ -4,18 +4,18 @@ namespace report {
 namespace {
 
 Record identity(const std::string& technique, const std::string& backend) {
-  Record r = {.name = technique + "/" + backend + "/layers/64x32",
-              .technique = technique,
-              .transparency = "Sorted",
-              .backend = backend,
-              .scene = "layers",
+  Record r = {.id = {.technique = technique,
+                     .backend = backend,
+                     .scene = "layers",
+                     .knobs = {{"size", "1024"}},
+                     .width = 64,
+                     .height = 32,
+                     .seed = 4294967295u},
               .sceneHash = "0123456789abcdef",
-              .width = 64,
-              .height = 32,
               .knobs = {{"kernel", "3"}, {"size", "1024"}},
-              .seed = 4294967295u,
               .version = "0.1.0",
               .command = "./bench --technique " + technique};
+  r.name = technique + "/" + backend + "/layers/64x32";
   for (const char* key : {"visibility", "image", "noise", "truth_stderr"})
     r.why[key] = "no truth, \"here\"";
   return r;
@@ -138,7 +138,7 @@ Record good() {
 Record disturbed() {
   Record r = good();
   r.name = "ShadowMap/opengl/layers/64x32";
-  r.backend = "opengl";
+  r.id.backend = "opengl";
   r.crossBackendMax255 = 9;
   r.crossBackendOver1 = 17;
   r.ratios.clear();
@@ -173,8 +173,8 @@ Run sampleRun() {
   run.records.push_back(skipped);
   Record failed = good();
   failed.name = "CSSM2/opengl/layers/64x32";
-  failed.technique = "CSSM2";
-  failed.backend = "opengl";
+  failed.id.technique = "CSSM2";
+  failed.id.backend = "opengl";
   refuse(failed, "3 values of the picture are not finite,\nor so");
   run.records.push_back(failed);
   return run;

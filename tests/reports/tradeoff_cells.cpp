@@ -4,19 +4,15 @@ namespace report {
 
 Record cell(const std::string& technique, double time, double error, const std::string& size) {
   Record r;
-  r.technique = technique;
-  r.transparency = "Sorted";
-  r.backend = "vulkan";
+  r.id = {
+      .technique = technique, .backend = "vulkan", .scene = "layers", .width = 64, .height = 32};
   r.device = "llvmpipe";
   r.deviceType = "software";
-  r.scene = "layers";
-  r.width = 64;
-  r.height = 32;
-  r.name = technique + "/vulkan/layers/64x32";
   if (!size.empty()) {
     r.knobs["size"] = size;
-    r.name += "/size:" + size;
+    r.id.knobs = {{"size", size}};
   }
+  r.name = cellName(r.id);
   r.cpu = Distribution{.median = time, .n = 1};
   r.frame = Distribution{.median = 2 * time, .n = 1};
   r.visibility = VisibilityError{};
@@ -27,12 +23,18 @@ Record cell(const std::string& technique, double time, double error, const std::
   return r;
 }
 
+Record baseline(double time, double error) {
+  Record r = cell("none", time, error);
+  r.role = Role::Baseline;
+  return r;
+}
+
 Record tracer(double time) {
   Record r = cell("RayTraced", time, 0);
-  r.name = "RayTraced/cpu/layers/64x32";
-  r.backend = "cpu";
+  r.role = Role::Tracer;
+  r.id.backend = "cpu";
+  r.name = cellName(r.id);
   r.device = "processor";
-  r.transparency.clear();
   return r;
 }
 

@@ -13,6 +13,8 @@ namespace report {
 
 /// Its CPU time compares. No blocks, so the time's interval is a point.
 Record cell(const std::string& technique, double time, double error, const std::string& size = "");
+/// The same without shadows.
+Record baseline(double time, double error);
 /// The tracer's cell, error 0, on the same scene.
 Record tracer(double time);
 /// Block means from time - spread to time + spread.

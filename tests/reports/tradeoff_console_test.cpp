@@ -12,7 +12,7 @@ namespace {
 /// A sweep with noise, one cell behind it, the baseline, the tracer, and a device with one cell.
 report::Run sweep() {
   report::Run run;
-  run.records = {cell("none", 2, 0.5),
+  run.records = {baseline(2, 0.5),
                  cell("CSSM2", 4, 0.08, "1024"),
                  cell("CSSM2", 2.5, 0.2, "256"),
                  cell("CSSM2", 3, 0.1, "512"),
@@ -23,10 +23,10 @@ report::Run sweep() {
   run.records[1].bytes = 40 << 20;
   Record card = cell("ShadowMap", 1, 0.0025);
   card.name = "ShadowMap/opengl/layers/64x32";
-  card.backend = "opengl";
+  card.id.backend = "opengl";
   card.device = "card";
   card.deviceType = "discrete";
-  Record disturbed = cell("none", 1, 0.5);
+  Record disturbed = baseline(1, 0.5);
   disturbed.contamination = {"other programs"};
   run.records.push_back(card);
   run.records.push_back(disturbed);
@@ -40,10 +40,10 @@ layers 64x32, vulkan: llvmpipe
   RMSE of visibility against CPU ms; without shadows 2.00
   cell                                    CPU ms         [95 %]  RMSE         [95 %]   MiB
   none/vulkan/layers/64x32                  2.00    [1.75,2.25]   0.5      [0.5,0.5]   1.0  front?
-  CSSM2/vulkan/layers/64x32/size:256        2.50    [2.19,2.81]   0.2      [0.2,0.2]   1.0  front?
-  CSSM2/vulkan/layers/64x32/size:512        3.00    [2.62,3.38]   0.1      [0.1,0.1]   1.0  front
-  ShadowMap/vulkan/layers/64x32/size:512    3.25    [2.84,3.66]  0.11    [0.11,0.11]   1.0
-  CSSM2/vulkan/layers/64x32/size:1024       4.00    [3.50,4.50]  0.08  [0.07,0.0925]  40.0  front
+  CSSM2/vulkan/layers/size:256/64x32        2.50    [2.19,2.81]   0.2      [0.2,0.2]   1.0  front?
+  CSSM2/vulkan/layers/size:512/64x32        3.00    [2.62,3.38]   0.1      [0.1,0.1]   1.0  front
+  ShadowMap/vulkan/layers/size:512/64x32    3.25    [2.84,3.66]  0.11    [0.11,0.11]   1.0
+  CSSM2/vulkan/layers/size:1024/64x32       4.00    [3.50,4.50]  0.08  [0.07,0.0925]  40.0  front
   RayTraced/cpu/layers/64x32               40.00  [35.00,45.00]     0          [0,0]   1.0  front
 
   least RMSE within  1 x none  2 x none  4 x none  8 x none  16 x none

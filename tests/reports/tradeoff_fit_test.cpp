@@ -39,7 +39,7 @@ TEST(Convergence, SeriesDifferInOneKnobAlone) {
         Record r = cell("A", 1, 1 / std::pow(std::stod(size), std::stod(kernel)), size);
         r.knobs["kernel"] = kernel;
         r.knobs["filter"] = "box";
-        r.seed = seed;
+        r.id.seed = seed;
         run.records.push_back(r);
       }
   const TradeOff t = only(run);

@@ -105,10 +105,10 @@ TEST(TradeOff, LeavesOutWhatCannotBeCompared) {
 
 TEST(TradeOff, OneForEachSceneSizeBackendAndDevice) {
   const Record a = cell("A", 2, 0.25);
-  const report::Run run = {.records = {a, with(a, [](Record& r) { r.scene = "other"; }),
-                                       with(a, [](Record& r) { r.width = 1; }),
-                                       with(a, [](Record& r) { r.height = 1; }),
-                                       with(a, [](Record& r) { r.backend = "opengl"; }),
+  const report::Run run = {.records = {a, with(a, [](Record& r) { r.id.scene = "other"; }),
+                                       with(a, [](Record& r) { r.id.width = 1; }),
+                                       with(a, [](Record& r) { r.id.height = 1; }),
+                                       with(a, [](Record& r) { r.id.backend = "opengl"; }),
                                        with(a, [](Record& r) { r.device = "another"; }), a}};
   const auto all = tradeOffs(run);
   ASSERT_EQ(all.size(), 6u);
@@ -120,9 +120,9 @@ TEST(TradeOff, OneForEachSceneSizeBackendAndDevice) {
 
 TEST(TradeOff, TheTracerJoinsWhereCpuTimeComparesAndElseStandsAlone) {
   const Record a = cell("A", 2, 0.25);
-  const Record gl = with(a, [](Record& r) { r.backend = "opengl"; });
+  const Record gl = with(a, [](Record& r) { r.id.backend = "opengl"; });
   const Record card = with(a, [](Record& r) { r.deviceType = "discrete", r.device = "card"; });
-  const Record other = with(a, [](Record& r) { r.scene = "other"; });
+  const Record other = with(a, [](Record& r) { r.id.scene = "other"; });
   const report::Run joined = {.records = {tracer(9), a, gl, card, other}};
   const auto all = tradeOffs(joined);
   ASSERT_EQ(all.size(), 4u);
@@ -138,12 +138,14 @@ TEST(TradeOff, TheTracerJoinsWhereCpuTimeComparesAndElseStandsAlone) {
   EXPECT_EQ(tradeOffs(alone)[1].points.size(), 2u);
 }
 
-TEST(TradeOff, TransparenciesAreToldApartWhereThereAreSeveral) {
+TEST(TradeOff, TransparenciesAndLoopsOverLightsAreToldApart) {
   const Record a = cell("A", 2, 0.25);
   const report::Run run = {
-      .records = {a, with(a, [](Record& r) { r.transparency = "Weighted"; }), tracer(9)}};
+      .records = {a, with(a, [](Record& r) { r.id.transparency = "Weighted"; }),
+                  with(a, [](Record& r) { r.id.lights = "Clustered"; }), tracer(9)}};
   const TradeOff t = std::move(tradeOffs(run).at(0));
-  EXPECT_EQ(t.techniques, (std::vector<std::string>{"A+Sorted", "A+Weighted", "RayTraced"}));
+  EXPECT_EQ(t.techniques,
+            (std::vector<std::string>{"A", "A+Weighted", "A@Clustered", "RayTraced"}));
 }
 
 TEST(TradeOff, FrontIsWhatNothingDominates) {
@@ -178,9 +180,8 @@ TEST(TradeOff, UncertainNeedsOneThatMayBeBetterInBothAtOnce) {
 }
 
 TEST(TradeOff, EqualTimeTakesTheLeastErrorWithinMultiplesOfTheBaseline) {
-  const report::Run run = {.records = {cell("none", 2, 0.5), cell("A", 4, 0.25),
-                                       cell("A", 8.5, 0.1), cell("A", 7, 0.3),
-                                       cell("B", 33, 0.01)}};
+  const report::Run run = {.records = {baseline(2, 0.5), cell("A", 4, 0.25), cell("A", 8.5, 0.1),
+                                       cell("A", 7, 0.3), cell("B", 33, 0.01)}};
   const TradeOff t = std::move(tradeOffs(run).at(0));
   EXPECT_EQ(t.baseline, 2.0);
   EXPECT_EQ(t.techniques, (std::vector<std::string>{"none", "A", "B"}));
@@ -215,12 +216,12 @@ TEST(TradeOff, EqualErrorTakesTheFastestWithinEachError) {
 }
 
 TEST(TradeOff, BaselineNeedsATimeButNoError) {
-  report::Run run = {.records = {cell("none", 3, 0.5), cell("none", 2, 0.5), cell("A", 4, 0.25)}};
+  report::Run run = {.records = {baseline(3, 0.5), baseline(2, 0.5), cell("A", 4, 0.25)}};
   run.records[1].visibility.reset();
   EXPECT_EQ(tradeOffs(run).at(0).baseline, 2.0);
   EXPECT_EQ(tradeOffs(run).at(0).points.size(), 2u);
   for (Record& r : run.records)
-    if (r.technique == "none") r.contamination = {"other programs"};
+    if (r.role == Role::Baseline) r.contamination = {"other programs"};
   EXPECT_EQ(tradeOffs(run).at(0).baseline, std::nullopt);
   EXPECT_TRUE(tradeOffs(run).at(0).equalTime.empty());
   EXPECT_EQ(tradeOffs(run).at(0).equalError.size(), 4u);

@@ -14,6 +14,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/gltf_posed_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/moving_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/optics_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_bound_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/procedural_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/scene_edit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shared_scenes_test.cpp

@@ -45,8 +45,12 @@ RendererDesc descOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   const std::string technique = options.entry ? "none" : options.technique;
   if (technique != "none") given.try_emplace("size", "256");
-  RendererDesc desc =
-      rendererDesc(technique, options.transparency, given, options.size, options.seed);
+  RendererDesc desc = rendererDesc({.technique = technique,
+                                    .transparency = options.transparency,
+                                    .knobs = {given.begin(), given.end()},
+                                    .width = options.size.width,
+                                    .height = options.size.height,
+                                    .seed = options.seed});
   if (options.entry) desc.technique = options.entry;
   desc.forced = options.forced;
   return desc;

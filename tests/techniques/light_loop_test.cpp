@@ -59,8 +59,9 @@ const rhi::ShaderLibrary& shadersWithLoop() {
 std::vector<float> picture(rhi::Device& device, const Scene& scene, const LightsEntry* lights) {
   CellDevice& shared = cellDevice(device);
   const rhi::Extent2D size{48, 48};
-  RendererDesc desc = rendererDesc("ShadowMap", "Sorted", {{"size", "128"}}, size);
-  desc.lights = lights;
+  RendererDesc desc = rendererDesc(
+      {.technique = "ShadowMap", .knobs = {{"size", "128"}}, .width = 48, .height = 48});
+  if (lights) desc.lights = lights;
   Stage stage(scene, size);
   const DeviceContext context{device, shadersWithLoop(), shared.pipelines, shared.queries};
   const auto renderer = stage.renderer(context, desc);

@@ -76,7 +76,10 @@ TEST(PlanOfPasses, GreyScenesDoWithoutTheShadersOfGlass) {
   const auto render = [&](const Scene& scene, const TransparencyEntry& transparency) {
     Stage stage(scene, {64, 64});
     const auto renderer = stage.renderer({*device, grey, pipelines, queries},
-                                         rendererDesc("CSSM2", transparency.info.name, {}, {64, 64}));
+                                         rendererDesc({.technique = "CSSM2",
+                                                       .transparency = transparency.info.name,
+                                                       .width = 64,
+                                                       .height = 64}));
     renderer->frame();
   };
   for (const TransparencyEntry* entry : transparencyTechniques()) {

@@ -7,6 +7,7 @@
 
 #include "suites/scenes/procedural/shapes.h"
 #include "suites/truth/media.h"
+#include "tests/truth/traced.h"
 
 namespace sb::test {
 namespace {
@@ -41,10 +42,6 @@ MediaField::Lights uniform(std::function<double(const dvec3&)> share = [](const 
 }
 
 const Stretch kAlongZ{{0.5, 0.5, -1}, {0, 0, 1}, 0, kInfinity};
-
-void expectNear(const dvec3& found, const dvec3& expected, double tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << "channel " << c;
-}
 
 TEST(MediaField, TheWorkedExampleHoldsForAnyNumberOfSteps) {
   const Field f({box({0, 0, 0}, {1, 1, 1.5}, {0.5f, 1, 2})});

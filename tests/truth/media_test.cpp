@@ -60,10 +60,6 @@ dvec3 pixelOf(const Truth& t, uint32_t x, uint32_t y) {
   return {p[0], p[1], p[2]};
 }
 
-void expectNear(const dvec3& found, const dvec3& expected, double tolerance, const char* what) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << what << " " << c;
-}
-
 TEST(TruthMedia, ABoxOfMistIsItsClosedForm) {
   const Truth t = traced(mistScene());
   const dvec3 passes = glm::exp(-1.5 * dvec3(kSigma));

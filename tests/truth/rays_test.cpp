@@ -3,50 +3,15 @@
 // (validation 7).
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <map>
-
-#include "suites/scenes/procedural/random.h"
-#include "suites/truth/bvh.h"
 #include "suites/truth/watertight.h"
+#include "tests/truth/ray_soup.h"
 
 namespace sb {
 namespace {
 
-using glm::dvec3;
+using namespace test;
 
 const Bvh::Judge kKeepAll = [](const TruthHit&) { return Bvh::Verdict::Keep; };
-
-dvec3 randomPoint(Pcg& random, double size) {
-  auto u = [&] { return (2 * random.uniform() - 1) * size; };
-  const double x = u(), y = u(), z = u();
-  return {x, y, z};
-}
-
-/// Random triangles of all sizes, with duplicates, slivers and points.
-std::vector<TruthTriangle> soup(size_t count, double scale, uint64_t seed) {
-  Pcg random(seed);
-  std::vector<TruthTriangle> list;
-  for (uint32_t i = 0; i < count; ++i) {
-    const dvec3 at = randomPoint(random, scale);
-    const double size = scale * std::pow(10.0, -3 * random.uniform());
-    TruthTriangle t{.instance = i, .number = 0};
-    for (auto& corner : t.corners) corner = at + randomPoint(random, size);
-    if (i % 17 == 3 && i > 0) t.corners = list.back().corners;
-    if (i % 19 == 4) t.corners[2] = t.corners[1];
-    if (i % 23 == 5) t.corners[1] = (t.corners[0] + t.corners[2]) * 0.5;
-    if (i % 29 == 6) t.corners[2] = t.corners[1] + (t.corners[0] - t.corners[1]) * (1 + 1e-15);
-    list.push_back(t);
-  }
-  return list;
-}
-
-bool same(const std::vector<TruthHit>& a, const std::vector<TruthHit>& b) {
-  return std::ranges::equal(a, b, [](const TruthHit& x, const TruthHit& y) {
-    return x.t == y.t && x.b == y.b && x.c == y.c && x.triangle == y.triangle &&
-           x.front == y.front;
-  });
-}
 
 TEST(TruthRays, TheTreeEqualsTestingEveryTriangle) {
   size_t found = 0;

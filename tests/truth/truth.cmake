@@ -10,7 +10,8 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/texture_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_cache_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_surfaces_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/truth_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/truth_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/walks_test.cpp)
 target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/one_sided_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_gpu_test.cpp)

@@ -21,10 +21,6 @@ dvec3 visibilityAt(const Truth& t, uint32_t light, uint32_t layer, uint32_t x, u
   return {v[0], v[1], v[2]};
 }
 
-void expectNear(const dvec3& found, const dvec3& expected, double tolerance, const char* what) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], tolerance) << what;
-}
-
 TEST(Truth, WorkedExampleOfTwoPanes) {
   Scene scene = floorScene(false);
   addLight(scene, pointLight({0, 4, 0}));

@@ -1,5 +1,7 @@
 #include "suites/scenes/analysis/analysis.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -87,18 +89,12 @@ void noteOverlap(const Analysis& a, const Effects& effects, Notes& notes) {
 }
 
 void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
-  size_t touching = 0, local = 0, area = 0;
+  size_t touching = 0, local = 0;
   for (const LightEffects& light : effects.lights) {
     if (!light.touchesView) continue;
-    const Light& source = a.scene.lights[light.light];
     ++touching;
-    local += source.type != LightType::Directional;
-    area += isAreaLight(source);
+    local += a.scene.lights[light.light].type != LightType::Directional;
   }
-  notes.note(
-      Effect::AreaLights, area > 0,
-      counted(area, "light with an extent touches", "lights with an extent touch") + " the view",
-      "no light that touches the view has an extent");
   notes.note(Effect::MultipleLights, touching > 1,
              counted(touching, "light touches", "lights touch") + " the view",
              touching == 0 ? "no light touches the view" : "one light touches the view");
@@ -106,6 +102,26 @@ void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
       Effect::LocalLights, local > 0,
       counted(local, "point or spot light touches", "point or spot lights touch") + " the view",
       "no point or spot light touches the view");
+}
+
+/// Penumbrae that are narrower, in pixels, are none: few samples, one a pixel, would fall into them.
+constexpr double kLeastPenumbra = 1.0 / 16;
+
+void noteAreaLights(const Analysis& a, const Effects& effects, Notes& notes) {
+  size_t area = 0, soft = 0;
+  double widest = 0;
+  for (const LightEffects& light : effects.lights) {
+    area += light.touchesView && isAreaLight(a.scene.lights[light.light]);
+    soft += light.penumbra * a.rows >= kLeastPenumbra;
+    widest = std::max(widest, light.penumbra);
+  }
+  notes.note(Effect::AreaLights, soft > 0,
+             counted(soft, "light", "lights") + " with an extent: penumbrae of up to " +
+                 fmt::format("{:.3g}", 100 * widest) + " % of the picture's height",
+             area == 0     ? "no light that touches the view has an extent"
+             : widest == 0 ? "no light with an extent throws shadows into the view"
+                           : "penumbrae are at most " + fmt::format("{:.2g}", widest * a.rows) +
+                                 " pixels wide");
 }
 
 void noteMedia(const Analysis& a, const Effects& effects, Notes& notes) {
@@ -120,6 +136,15 @@ void noteMedia(const Analysis& a, const Effects& effects, Notes& notes) {
              a.media.empty() ? "the scene has no medium"
              : thin          ? "no medium is dense enough to be seen"
                              : "no medium is in view or between a light and the view");
+}
+
+Plane placedPlane(const Plane& plane, const glm::dmat4& toWorld, const glm::dvec3& eye) {
+  const glm::dmat3 linear(toWorld);
+  const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                            glm::cross(linear[0], linear[1]));
+  const glm::dvec3 normal = glm::normalize(cofactor * plane.normal);
+  const glm::dvec3 point = glm::dvec3(toWorld * glm::dvec4(plane.normal * plane.offset, 1)) - eye;
+  return {normal, glm::dot(normal, point)};
 }
 
 /// The camera's view of media, which its near and far planes do not cut.
@@ -173,24 +198,32 @@ void noteView(const Analysis& a, const Effects& effects, Notes& notes) {
 SceneTraits::SceneTraits(const Scene& scene) {
   for (const Material& material : scene.materials)
     materials.push_back(materialTraits(scene, material));
+  const bool soft = std::ranges::any_of(scene.lights, isAreaLight);
   for (const Mesh& mesh : scene.meshes) {
     const MaterialTraits& t = materials.at(mesh.material);
-    const bool matters = t.cameraTranslucent || t.lightClass == MaterialClass::Translucent;
-    flat.push_back(matters && planeOf(mesh).has_value());
+    const bool matters = soft || t.cameraTranslucent || t.lightClass == MaterialClass::Translucent;
+    planes.push_back(matters ? planeOf(mesh) : std::nullopt);
   }
 }
 
-Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, double aspect)
-    : placed(p), scene(p.scene()), eye(p.camera().eye()), view(p.camera(), aspect) {
+Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
+    : placed(p),
+      scene(p.scene()),
+      eye(p.camera().eye()),
+      view(p.camera(), shape.aspect),
+      rows(shape.rows) {
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes.at(instance.mesh);
+    const glm::dmat4& toWorld = placed.toWorld(i);
     AnalysedInstance& a = instances.emplace_back();
-    a.box = transformedBox(mesh.boundsMin, mesh.boundsMax, placed.toWorld(i), eye);
+    a.box = transformedBox(mesh.boundsMin, mesh.boundsMax, toWorld, eye);
     a.traits = traits.materials[mesh.material];
     a.visible = !mesh.indices.empty() && view.mayShow(a.box);
     a.lit = !scene.materials[mesh.material].unlit;
-    a.flat = traits.flat[instance.mesh];
+    const std::optional<Plane>& plane = traits.planes[instance.mesh];
+    a.flat = plane.has_value();
+    if (plane && plane->normal != glm::dvec3(0)) a.plane = placedPlane(*plane, toWorld, eye);
   }
   for (const Medium& medium : scene.media) {
     AnalysedMedium& m = media.emplace_back();
@@ -199,7 +232,7 @@ Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, double aspec
     m.scatters = medium.albedo != glm::vec3(0);
   }
   if (media.empty()) return;
-  const ViewVolume before(uncut(placed.camera(), media), aspect);
+  const ViewVolume before(uncut(placed.camera(), media), shape.aspect);
   mediaView = before.bounds();
   for (AnalysedMedium& medium : media) medium.visible = before.mayShow(medium.box);
 }
@@ -217,17 +250,19 @@ Effects analyseView(const Analysis& a) {
   noteCasters(a, effects, notes);
   noteOverlap(a, effects, notes);
   noteLights(a, effects, notes);
+  noteAreaLights(a, effects, notes);
   noteMedia(a, effects, notes);
   noteView(a, effects, notes);
   return effects;
 }
 
-Effects analyse(const Scene& scene, double aspect) {
+Effects analyse(const Scene& scene, double aspect, double rows) {
   const SceneTraits traits(scene);
-  if (scene.path.empty()) return analyseView(Analysis(scene, traits, aspect));
+  const Analysis::Shape shape = {aspect, rows};
+  if (scene.path.empty()) return analyseView(Analysis(scene, traits, shape));
   std::vector<Effects> steps;
   for (uint32_t k = 0; k < scene.path.size(); ++k)
-    steps.push_back(analyseView(Analysis(PlacedScene(scene, k), traits, aspect)));
+    steps.push_back(analyseView(Analysis(PlacedScene(scene, k), traits, shape)));
   return uniteSteps(std::move(steps));
 }
 

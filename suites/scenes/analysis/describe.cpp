@@ -52,7 +52,8 @@ json lightJson(const Light& light, const LightEffects& effects) {
             {"touches_view", effects.touchesView},
             {"opaque_casters", effects.opaqueCasters.size()},
             {"perforated_casters", effects.perforatedCasters.size()},
-            {"translucent_casters", effects.translucentCasters.size()}};
+            {"translucent_casters", effects.translucentCasters.size()},
+            {"penumbra", effects.penumbra}};
   if (light.type != LightType::Point) j["direction"] = triple(light.direction);
   if (light.type == LightType::Directional) {
     j["angular_radius"] = light.angularRadius;
@@ -96,11 +97,14 @@ std::string lightLine(const json& light, const std::string& extent) {
   if (!light["touches_view"].get<bool>())
     return fmt::format("  {} ({}): does not touch the view\n", light["name"].get<std::string>(),
                        light["type"].get<std::string>());
-  return fmt::format("  {} ({}{}): {} opaque, {} perforated, {} translucent casters\n",
+  const double penumbra = light["penumbra"];
+  const std::string soft =
+      penumbra > 0 ? fmt::format(", penumbrae up to {:.3g} % of the height", 100 * penumbra) : "";
+  return fmt::format("  {} ({}{}): {} opaque, {} perforated, {} translucent casters{}\n",
                      light["name"].get<std::string>(), light["type"].get<std::string>(), extent,
                      light["opaque_casters"].get<size_t>(),
                      light["perforated_casters"].get<size_t>(),
-                     light["translucent_casters"].get<size_t>());
+                     light["translucent_casters"].get<size_t>(), soft);
 }
 
 }  // namespace

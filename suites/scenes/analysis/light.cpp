@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "suites/scenes/analysis/parts.h"
+#include "suites/scenes/analysis/penumbra_bound.h"
 
 namespace sb {
 namespace {
@@ -55,6 +56,7 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index) {
   for (uint32_t m = 0; m < analysis.media.size(); ++m)
     if (const Bounds& box = analysis.media[m].box; !box.empty() && mayCast(box))
       light.media.push_back(m);
+  light.penumbra = penumbraBound(analysis, light);
   return light;
 }
 

@@ -1,10 +1,12 @@
 // Working data of the analysis. Internal to suites/scenes.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "suites/scenes/analysis/light_reach.h"
 #include "techniques/plan/effects.h"
+#include "techniques/scene/mesh_shape.h"
 #include "techniques/scene/optics.h"
 #include "techniques/scene/placed_scene.h"
 
@@ -17,6 +19,7 @@ struct AnalysedInstance {
   bool visible = false;  ///< may lie in the view
   bool lit = false;      ///< its material is shaded by lights
   bool flat = false;     ///< its triangles lie in one plane: it cannot shadow or cover itself
+  std::optional<Plane> plane;  ///< that plane, relative to the eye, where something asks for it
   bool seeThrough() const { return traits.cameraTranslucent; }
   bool passesLight() const { return traits.lightClass == MaterialClass::Translucent; }
 };
@@ -32,15 +35,20 @@ struct AnalysedMedium {
 struct SceneTraits {
   explicit SceneTraits(const Scene& scene);
   std::vector<MaterialTraits> materials;
-  std::vector<uint8_t> flat;  ///< by mesh, where it matters
+  std::vector<std::optional<Plane>> planes;  ///< by mesh, in its space, where it matters
 };
 
 struct Analysis {
-  Analysis(const PlacedScene& p, const SceneTraits& traits, double aspect);
+  struct Shape {
+    double aspect;
+    double rows;
+  };
+  Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape);
   PlacedScene placed;
   const Scene& scene;
   glm::dvec3 eye;
   ViewVolume view;
+  double rows;  ///< of the picture
   std::vector<AnalysedInstance> instances;
   std::vector<AnalysedMedium> media;
   Bounds mediaView;  ///< around what of media is before the camera

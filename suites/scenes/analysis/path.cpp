@@ -26,6 +26,7 @@ void addView(ViewEffects& to, const ViewEffects& from) {
     addAll(light.perforatedCasters, from.lights[i].perforatedCasters);
     addAll(light.translucentCasters, from.lights[i].translucentCasters);
     addAll(light.media, from.lights[i].media);
+    light.penumbra = std::max(light.penumbra, from.lights[i].penumbra);
   }
 }
 

@@ -72,4 +72,19 @@ Bounds ViewVolume::onScreen(const Bounds& box) const {
   return screen;
 }
 
+double ViewVolume::extent(const Bounds& box) const {
+  const Bounds seen = onScreen(box).clippedTo({{-1, -1, 0}, {1, 1, 0}});
+  const glm::dvec3 size = seen.high - seen.low;
+  return seen.empty() ? 0 : 0.5 * std::hypot(size.x * m_scaleY / m_scaleX, size.y);
+}
+
+double ViewVolume::heightsPerUnit(const Bounds& box) const {
+  if (m_orthographic) return 0.5 * m_scaleY;
+  double depth = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 8; ++i) depth = std::min(depth, -(m_toView * box.corner(i)).z);
+  // A length that recedes beside the axis is seen longer than one across the view.
+  const double aside = std::hypot(1.0, 1 / m_scaleX, 1 / m_scaleY);
+  return 0.5 * m_scaleY * aside / std::max(depth, m_near);
+}
+
 }  // namespace sb

@@ -19,6 +19,10 @@ class ViewVolume {
   /// Bounds of the picture (x, y in [-1, 1], z unused) around `box`; all of it where the box reaches
   /// behind the near plane.
   Bounds onScreen(const Bounds& box) const;
+  /// Diagonal of what of it is in the picture, in heights of the picture.
+  double extent(const Bounds& box) const;
+  /// Heights of the picture that a world unit takes at most, within what of the box is seen.
+  double heightsPerUnit(const Bounds& box) const;
 
  private:
   struct Plane {

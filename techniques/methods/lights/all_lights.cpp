@@ -13,7 +13,7 @@ REGISTER_TECHNIQUE(LightTechnique, AllLights,
                                   .title = "Every light at every point",
                                   .paper = "the loop that others are compared with",
                                   .represents = {},
-                                  .error = "none"}));
+                                  .error = "it leaves out no light"}));
 
 }  // namespace
 }  // namespace sb

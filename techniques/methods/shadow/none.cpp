@@ -19,7 +19,8 @@ REGISTER_TECHNIQUE(ShadowTechnique, NoShadows,
                                   .title = "No shadows",
                                   .paper = "the baseline of every cost",
                                   .represents = kShadingEffects,
-                                  .error = "everything a shadow would darken is lit"}));
+                                  .error = "everything a shadow would darken is lit",
+                                  .baseline = true}));
 
 }  // namespace
 }  // namespace sb

@@ -1,0 +1,2 @@
+#define WALKS baselineWalks
+#include "suites/truth/box_walk_kernel.h"
