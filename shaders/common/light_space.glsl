@@ -87,7 +87,8 @@ LightSample lightSample(uint light, Receiver r) {
   float unit = tangent > 0.0 ? slope / tangent : 0.0;  // slope of a plane at 45 degrees
   // A surface that rises before its plane is stored receding, by as much as it may rise within the
   // filter, so that it does not come before the receiver itself; before the falling plane it might.
-  bool rises = kConcave && (r.concave & (dot(r.normal, toLight) > 0.0 ? 1u : 2u)) != 0u;
+  bool rises = kConcave && view.ids.y != 0u &&
+               (r.concave & (dot(r.normal, toLight) > 0.0 ? 1u : 2u)) != 0u;
   if (kBias == BIAS_PLANE) {
     s.gradient = gradient;
     if (!rises) s.bias += unit * float(kKernel / 2u) * BIAS_CURVATURE_TEXELS;

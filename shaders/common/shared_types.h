@@ -106,7 +106,8 @@ struct ShadowViewData {
   vec4 origin;       // camera-relative; w: layer
   vec4 texel;        // x: 1 / size, y: depth step of the format, z: texel width at distance 1
                      // (perspective) or anywhere (orthographic), w: 1 if perspective
-  uvec4 ids;         // x: persistent key of light and face, part of every random number
+  uvec4 ids;         // x: persistent key of light and face, part of every random number; y: 1 if a
+                     // caster of any view rises before itself
 };
 
 #ifdef __cplusplus

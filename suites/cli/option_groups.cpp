@@ -109,10 +109,12 @@ void addScene(CLI::App& app, Options& o) {
          "one directional light instead of the scene's")
       ->type_name("direction=X,Y,Z[,lux=E]");
   app.add_option_function<std::string>(
-         "--motion", [&o](const std::string& text) { o.selection.edits.push_back("motion:" + text); },
-         "the camera arrives at its place from so far away in N frames [8], again and again; light "
-         "frusta are refitted and orders sorted within each frame")
-      ->type_name("move=X,Y,Z[,turn=DEG][,steps=N]");
+         "--motion",
+         [&o](const std::string& text) { o.selection.edits.push_back("motion:" + text); },
+         "the camera arrives at its place from so far away in N frames [8], again and again; what "
+         "moves in the scene, or an animation of a file, goes its way in as many; light frusta are "
+         "refitted and orders sorted within each frame")
+      ->type_name("[move=X,Y,Z][,turn=DEG][,animation=NAME|INDEX][,steps=N]");
 }
 
 void addSelection(CLI::App& app, Options& o) {

@@ -143,8 +143,7 @@ std::unique_ptr<Subject> makeSubject(const CellId& id, SubjectContext& context,
     record.driver = "the truth's tracer";
     if (!context.stage.scene().path.empty())
       record.warnings.push_back(
-          "the camera of the tracer stands still, where the path ends: it traces the last frame "
-          "again and again");
+          "nothing moves before the tracer: it traces the last frame of the path again and again");
     return std::make_unique<TracerSubject>(id, context.stage.scene());
   }
   DeviceSession* session = context.devices.open(id.backend);

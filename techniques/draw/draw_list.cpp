@@ -28,8 +28,9 @@ void DrawList::draw(rhi::CommandList& commands, const CasterPipelines& pipelines
                     std::span<const uint32_t> instances, uint32_t copies) {
   const GpuScene& gpu = m_view->gpu();
   auto pipelineOf = [&](uint32_t i) {
-    return gpu.rises(i) && pipelines.receding != rhi::PipelineId{} ? pipelines.receding
-                                                                   : pipelines.exact;
+    return gpu.rises(i, m_view->step()) && pipelines.receding != rhi::PipelineId{}
+               ? pipelines.receding
+               : pipelines.exact;
   };
   auto materialOf = [&](uint32_t i) {
     // Depths alone look at no material.

@@ -1,11 +1,11 @@
 #include "techniques/draw/gpu_scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <tuple>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/scene/concave_sides.h"
 #include "techniques/scene/material_data.h"
 
 namespace sb {
@@ -47,11 +47,33 @@ rhi::AddressMode addressMode(Wrap wrap) {
 
 }  // namespace
 
-GpuScene::GpuScene(rhi::Device& device, const Scene& scene)
-    : m_scene(scene), m_coplanar(scene) {
+GpuScene::GpuScene(rhi::Device& device, const Scene& scene) : m_scene(scene) {
   uploadMeshes(device);
   uploadMaterials(device);
   device.waitIdle();
+}
+
+void GpuScene::analyseSteps(const std::vector<ConcaveSides>& sides) {
+  const Moving moving(m_scene);
+  const auto each = [&](bool moves, const auto& analyse) {
+    const size_t steps = moves ? m_scene.path.size() : 1;
+    for (uint32_t k = 0; k < steps; ++k) analyse(PlacedScene(m_scene, k));
+  };
+  each(!moving.instances.empty(),
+       [&](const PlacedScene& placed) { m_coplanar.emplace_back(placed); });
+  each(!moving.instances.empty() || moving.lights, [&](const PlacedScene& placed) {
+    std::vector<bool>& rises = m_rises.emplace_back();
+    for (uint32_t i = 0; i < m_scene.instances.size(); ++i)
+      rises.push_back(risesInLight(placed, i, sides[m_scene.instances[i].mesh]));
+  });
+}
+
+bool GpuScene::everRises(uint32_t instance) const {
+  return std::ranges::any_of(m_rises, [&](const auto& rises) { return rises[instance]; });
+}
+
+bool GpuScene::everCoplanar() const {
+  return !std::ranges::all_of(m_coplanar, &CoplanarSurfaces::empty);
 }
 
 void GpuScene::uploadMeshes(rhi::Device& device) {
@@ -90,8 +112,7 @@ void GpuScene::uploadMeshes(rhi::Device& device) {
       triangles.push_back({glm::vec4(normal, glm::uintBitsToFloat(mesh.triangleKeys[t]))});
     }
   }
-  for (const Instance& instance : m_scene.instances)
-    m_rises.push_back(risesInLight(m_scene, instance, sides[instance.mesh]));
+  analyseSteps(sides);
   using U = rhi::BufferUse;
   m_positions = makeBuffer(device, "scene positions", positions, U::Vertex | U::Storage);
   m_attributes = makeBuffer(device, "scene attributes", attributes, U::Vertex);

@@ -1,10 +1,12 @@
-// A scene's unchanging data on one device: vertices, indices, triangle records, materials, textures.
-// Cells of the same scene share it. What depends on the camera is in SceneView.
+// A scene's unchanging data on one device: vertices, indices, triangle records, materials,
+// textures; and what analysis knows of every step of its path. Cells of the same scene share it.
+// What depends on the camera is in SceneView.
 #pragma once
 
 #include <vector>
 
 #include "backends/rhi/device.h"
+#include "techniques/scene/concave_sides.h"
 #include "techniques/scene/coplanar_surfaces.h"
 
 namespace sb {
@@ -25,11 +27,13 @@ class GpuScene {
     uint32_t firstTriangle = 0;  ///< into the triangle records
   };
   const MeshRange& mesh(uint32_t index) const { return m_meshes[index]; }
-  /// A light may see an instance rise before itself (concave_sides.h).
-  bool rises(uint32_t instance) const { return m_rises[instance]; }
+  /// A light may see an instance rise before itself at a step (concave_sides.h); at any.
+  bool rises(uint32_t instance, uint32_t step) const { return atStep(m_rises, step)[instance]; }
+  bool everRises(uint32_t instance) const;
 
-  /// Surfaces that lie over others in one plane.
-  const CoplanarSurfaces& coplanar() const { return m_coplanar; }
+  /// Surfaces that lie over others in one plane at a step; whether there are any at one.
+  const CoplanarSurfaces& coplanar(uint32_t step) const { return atStep(m_coplanar, step); }
+  bool everCoplanar() const;
 
   /// Vertex buffer 0: positions (12 bytes); buffer 1, with attributes: the others; the last:
   /// records of instances (gpu::InstanceData), which SceneView has. Positions and indices are
@@ -48,14 +52,20 @@ class GpuScene {
   }
 
  private:
+  /// Of what is the same in all steps there is one.
+  template <class T>
+  static const T& atStep(const std::vector<T>& steps, uint32_t step) {
+    return steps[steps.size() > 1 ? step : 0];
+  }
+  void analyseSteps(const std::vector<ConcaveSides>& sides);
   void uploadMeshes(rhi::Device& device);
   void uploadMaterials(rhi::Device& device);
 
   const Scene& m_scene;
-  CoplanarSurfaces m_coplanar;
+  std::vector<CoplanarSurfaces> m_coplanar;
   bool m_textured = false;
   std::vector<MeshRange> m_meshes;
-  std::vector<bool> m_rises;
+  std::vector<std::vector<bool>> m_rises;
   rhi::Buffer m_positions, m_attributes, m_indices, m_triangles, m_materials;
   uint64_t m_materialStride = 256;
   std::vector<rhi::Texture> m_textures;

@@ -10,7 +10,7 @@
 namespace sb {
 
 struct FitInput {
-  const Scene& scene;
+  const PlacedScene& placed;
   const Camera& camera;
   double aspect;
   const LightFitSettings& settings;

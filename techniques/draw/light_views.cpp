@@ -28,7 +28,8 @@ Box receiverBox(const FitInput& in, const dmat3& axes) {
   Box frustum, receivers;
   for (const dvec3& corner : frustumCorners(in.camera, in.aspect, farthestReceiver(in)))
     frustum.add(axes * corner);
-  for (uint32_t i : in.receivers) receivers.add(instanceBounds(in.scene, i, in.camera.eye(), axes));
+  for (uint32_t i : in.receivers)
+    receivers.add(instanceBounds(in.placed, i, in.camera.eye(), axes));
   receivers.min = glm::max(receivers.min, frustum.min);
   receivers.max = glm::min(receivers.max, frustum.max);
   return receivers;
@@ -38,13 +39,13 @@ Box receiverBox(const FitInput& in, const dmat3& axes) {
 /// camera.
 dvec3 snapAnchor(const FitInput& in, const dmat3& axes) {
   Box all;
-  for (uint32_t i = 0; i < in.scene.instances.size(); ++i)
-    all.add(instanceBounds(in.scene, i, in.camera.eye(), axes));
+  for (uint32_t i = 0; i < in.placed.scene().instances.size(); ++i)
+    all.add(instanceBounds(in.placed, i, in.camera.eye(), axes));
   return all.min;
 }
 
 void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector<LightView>& out) {
-  const Light& light = in.scene.lights[effects.light];
+  const Light& light = in.placed.light(effects.light);
   const dmat3 axes = lightAxes(light.direction);
   Box box = receiverBox(in, axes);
   double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
@@ -59,10 +60,10 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
     for (const dvec3& c : corners) middle += c / 8.0;
     double radius = 0;
     for (const dvec3& c : corners) radius = std::max(radius, glm::length(c - middle));
-    const dvec3 within(in.scene.instances.front().toWorld[3]);
+    const dvec3 within(in.placed.toWorld(0)[3]);
     Box scene;
-    for (uint32_t i = 0; i < in.scene.instances.size(); ++i)
-      scene.add(instanceBounds(in.scene, i, within));
+    for (uint32_t i = 0; i < in.placed.scene().instances.size(); ++i)
+      scene.add(instanceBounds(in.placed, i, within));
     const double sceneRadius = glm::length(scene.max - scene.min) / 2;
     extent = 2 * std::min(radius, sceneRadius);
     center =
@@ -83,7 +84,7 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   double top = box.max.z, low = box.min.z;
   const auto reach = [&](const std::vector<uint32_t>& casters) {
     for (uint32_t i : casters)
-      top = std::max(top, instanceBounds(in.scene, i, in.camera.eye(), axes).max.z);
+      top = std::max(top, instanceBounds(in.placed, i, in.camera.eye(), axes).max.z);
   };
   if (!in.settings.depthClamp) {
     reach(effects.opaqueCasters);
@@ -99,7 +100,7 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   view.light = effects.light;
   view.data = viewData(toClip, origin, in.settings, texel, false, 8 * light.key);
   assignCasters(view, effects, [&](uint32_t i) {
-    const Box b = instanceBounds(in.scene, i, in.camera.eye(), axes);
+    const Box b = instanceBounds(in.placed, i, in.camera.eye(), axes);
     return b.max.x >= left && b.min.x <= left + width && b.max.y >= bottom &&
            b.min.y <= bottom + width && b.max.z >= low;
   });
@@ -121,27 +122,26 @@ gpu::ShadowViewData viewData(const dmat4& toClip, const dvec3& origin, const Lig
 double farthestReceiver(const FitInput& in) {
   double farthest = 0;
   for (uint32_t i : in.receivers) {
-    const Box b = instanceBounds(in.scene, i, in.camera.eye());
+    const Box b = instanceBounds(in.placed, i, in.camera.eye());
     farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.min), glm::abs(b.max))));
   }
   return farthest;
 }
 
-std::vector<LightView> fitLights(const Scene& scene, const ViewEffects& effects,
-                                 const Camera& camera, double aspect,
-                                 const LightFitSettings& settings) {
-  FitInput in{scene, camera, aspect, settings, effects.visibleOpaque, {}};
+std::vector<LightView> fitLights(const PlacedScene& placed, const ViewEffects& effects,
+                                 double aspect, const LightFitSettings& settings) {
+  FitInput in{placed, placed.camera(), aspect, settings, effects.visibleOpaque, {}};
   in.receivers.insert(in.receivers.end(), effects.visibleTranslucent.begin(),
                       effects.visibleTranslucent.end());
   std::vector<LightView> views;
   if (in.receivers.empty()) return views;
   const bool anyLocal = std::ranges::any_of(effects.lights, [&](const LightEffects& light) {
-    return light.casts() && scene.lights[light.light].type != LightType::Directional;
+    return light.casts() && placed.light(light.light).type != LightType::Directional;
   });
   if (anyLocal && settings.fit == LightFit::Tight) findSeen(in);
   for (const LightEffects& light : effects.lights) {
     if (!light.casts()) continue;
-    if (scene.lights[light.light].type == LightType::Directional)
+    if (placed.light(light.light).type == LightType::Directional)
       fitDirectional(in, light, views);
     else
       fitLocal(in, light, views);

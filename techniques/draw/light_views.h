@@ -49,9 +49,8 @@ struct LightView {
 
 /// Views of every light that casts into the picture. Lights that cast nothing have none; views that
 /// no caster touches have layer -1: no pass, no memory, everything lit.
-/// `effects`: what `camera` shows.
-std::vector<LightView> fitLights(const Scene& scene, const ViewEffects& effects,
-                                 const Camera& camera, double aspect,
-                                 const LightFitSettings& settings);
+/// `effects`: what the camera of `placed` shows.
+std::vector<LightView> fitLights(const PlacedScene& placed, const ViewEffects& effects,
+                                 double aspect, const LightFitSettings& settings);
 
 }  // namespace sb

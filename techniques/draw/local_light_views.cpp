@@ -45,7 +45,7 @@ struct DepthRange {
 DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, const Light& light) {
   double nearest = 1e300, farthest = 0;
   auto consider = [&](uint32_t i, bool caster) {
-    const Box b = instanceBounds(in.scene, i, light.position);
+    const Box b = instanceBounds(in.placed, i, light.position);
     if (caster) nearest = std::min(nearest, distanceToBox(b));
     farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.min), glm::abs(b.max))));
   };
@@ -107,7 +107,7 @@ std::optional<Window> seenWindow(const FitInput& in, const Light& light, const d
 void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& axes,
                   double tangent, const DepthRange& range, uint32_t face,
                   std::vector<LightView>& out) {
-  const Light& light = in.scene.lights[effects.light];
+  const Light& light = in.placed.light(effects.light);
   const double size = in.settings.mapSize;
   const std::optional<Window> seen = seenWindow(in, light, axes, tangent);
   Window wide = seen.value_or(Window{.half = tangent});
@@ -121,14 +121,14 @@ void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& 
                        true, 8 * light.key + face);
   if (!seen) return;
   assignCasters(view, effects, [&](uint32_t i) {
-    return touchesPyramid(instanceBounds(in.scene, i, light.position, axes), wide, range.farPlane);
+    return touchesPyramid(instanceBounds(in.placed, i, light.position, axes), wide, range.farPlane);
   });
 }
 
 }  // namespace
 
 void fitLocal(const FitInput& in, const LightEffects& effects, std::vector<LightView>& out) {
-  const Light& light = in.scene.lights[effects.light];
+  const Light& light = in.placed.light(effects.light);
   const DepthRange range = localDepthRange(in, effects, light);
   if (light.type == LightType::Spot) {
     const double half = std::clamp(light.outerCone, 1e-3, 1.55);
@@ -142,7 +142,7 @@ void fitLocal(const FitInput& in, const LightEffects& effects, std::vector<Light
 void findSeen(FitInput& in) {
   const Frustum frustum(frustumCorners(in.camera, in.aspect, farthestReceiver(in)));
   for (const uint32_t i : in.receivers)
-    for (Polygon& face : frustum.seenPart(instanceBounds(in.scene, i, in.camera.eye())))
+    for (Polygon& face : frustum.seenPart(instanceBounds(in.placed, i, in.camera.eye())))
       in.seen.push_back(std::move(face));
 }
 

@@ -12,10 +12,10 @@ namespace sb {
 namespace {
 
 /// All but where it stands relative to the eye.
-gpu::InstanceData instanceData(const Scene& scene, uint32_t index,
+gpu::InstanceData instanceData(const PlacedScene& placed, uint32_t index,
                                const GpuScene::MeshRange& range) {
-  const Instance& instance = scene.instances[index];
-  const glm::dmat3 linear(instance.toWorld);
+  const Instance& instance = placed.scene().instances[index];
+  const glm::dmat3 linear(placed.toWorld(index));
   // Cofactors, not the inverse transpose: no division, and right for singular transforms too.
   const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                             glm::cross(linear[0], linear[1]));
@@ -27,7 +27,7 @@ gpu::InstanceData instanceData(const Scene& scene, uint32_t index,
     normals[r] = glm::vec4(glm::dvec4(cofactor[0][r], cofactor[1][r], cofactor[2][r], 0));
   }
   d.normal0.w = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
-  d.ids = {index, instance.key, range.firstTriangle, scene.meshes[instance.mesh].key};
+  d.ids = {index, instance.key, range.firstTriangle, placed.scene().meshes[instance.mesh].key};
   return d;
 }
 
@@ -60,14 +60,16 @@ SceneView::SceneView(rhi::Device& device, const GpuScene& gpuScene, const Effect
                      rhi::Extent2D size, uint32_t seed)
     : m_gpu(gpuScene),
       m_effects(effects),
+      m_moving(gpuScene.scene()),
+      m_placed(gpuScene.scene()),
       m_shown(&effects),
       m_size(size),
       m_seed(seed),
       m_mostUniform(std::min<uint64_t>(kMostUniformBytes, device.info().limits.maxUniformRange)) {
   for (uint32_t i = 0; i < scene().instances.size(); ++i)
-    m_instanceData.push_back(instanceData(scene(), i, m_gpu.mesh(scene().instances[i].mesh)));
+    m_instanceData.push_back(instanceData(m_placed, i, m_gpu.mesh(scene().instances[i].mesh)));
   createBuffers(device);
-  look(scene().camera(), m_effects);
+  look(scene(), m_effects);
   writeAll(uploadsTo(device));
 }
 
@@ -78,11 +80,14 @@ void SceneView::createBuffers(rhi::Device& device) {
   m_lights =
       makeStorage(device, "view lights", uint64_t(lightCount()) * sizeof(gpu::LightData), kListUse);
   m_shadowViews = makeStorage(device, "view shadow views", sizeof(gpu::ShadowViewData), kListUse);
-  const CoplanarSurfaces& coplanar = m_gpu.coplanar();
-  if (!coplanar.empty()) {
+  if (m_gpu.everCoplanar()) {
     const CameraMatrices any = cameraMatrices(scene().camera(), aspect());
-    m_coplanar = makeStorage(device, "view coplanar surfaces",
-                             bytesOf(coplanar.words(any, m_size.width, m_size.height)).size());
+    uint64_t bytes = 0;
+    for (uint32_t k = 0; k < steps(); ++k) {
+      const std::vector<uint32_t> words = m_gpu.coplanar(k).words(any, m_size.width, m_size.height);
+      bytes = std::max<uint64_t>(bytes, bytesOf(words).size());
+    }
+    m_coplanar = makeStorage(device, "view coplanar surfaces", bytes);
   }
   bind();
 }
@@ -102,36 +107,46 @@ void SceneView::bind() {
 }
 
 SceneView::Write SceneView::uploadsTo(rhi::Device& device) {
-  return [&device](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-    device.upload(buffer, 0, bytes);
+  return [&device](rhi::BufferId buffer, uint64_t at, std::span<const std::byte> bytes) {
+    device.upload(buffer, at, bytes);
   };
 }
 
-void SceneView::look(const Camera& camera, const ViewEffects& shown) {
+void SceneView::look(PlacedScene placed, const ViewEffects& shown) {
+  m_placed = std::move(placed);
   m_shown = &shown;
-  m_camera = cameraMatrices(camera, aspect());
-  m_rays = cameraRays(camera, m_size.width, m_size.height);
+  m_camera = cameraMatrices(m_placed.camera(), aspect());
+  m_rays = cameraRays(m_placed.camera(), m_size.width, m_size.height);
+  for (const uint32_t i : m_moving.instances)
+    m_instanceData[i] = instanceData(m_placed, i, m_gpu.mesh(scene().instances[i].mesh));
   for (uint32_t i = 0; i < m_instanceData.size(); ++i) {
-    const glm::vec3 place(glm::dvec3(scene().instances[i].toWorld[3]) - m_camera.eye);
+    const glm::vec3 place(glm::dvec3(m_placed.toWorld(i)[3]) - m_camera.eye);
     glm::vec4* rows = &m_instanceData[i].toRelative0;
     for (int r = 0; r < 3; ++r) rows[r].w = place[r];
   }
 }
 
 void SceneView::look(uint32_t step) {
-  const Camera& camera = scene().path[step];
-  const ViewEffects& shown = m_effects.steps[step];
-  look(camera, shown);
+  look(PlacedScene(scene(), step), m_effects.steps[step]);
   m_step = step;
-  if (m_fit)
-    m_lightViews = placeViews(m_united, fitLights(scene(), shown, camera, aspect(), *m_fit));
+  if (m_fit) m_lightViews = placeViews(m_united, fitLights(m_placed, *m_shown, aspect(), *m_fit));
 }
 
 void SceneView::moveTo(rhi::CommandList& commands, uint32_t step) {
   look(step);
-  writeAll([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-    if (!bytes.empty()) commands.write(buffer, 0, bytes);
-  });
+  const Write write = [&](rhi::BufferId buffer, uint64_t at, std::span<const std::byte> bytes) {
+    if (!bytes.empty()) commands.write(buffer, at, bytes);
+  };
+  if (m_moving.camera) return writeAll(write);
+  // Relative to an eye that stands, so does what stands.
+  const std::vector<uint32_t>& moved = m_moving.instances;
+  for (size_t i = 0, end = 0; i < moved.size(); i = end) {
+    while (end < moved.size() && moved[end] - moved[i] == end - i) ++end;
+    writeInstances(write, moved[i], uint32_t(end - i));
+  }
+  if (!moved.empty()) writeCoplanar(write);
+  writeFrame(write);
+  writeLights(write);
 }
 
 void SceneView::alongPath(rhi::Device& device, const std::function<void()>& visit) {
@@ -141,7 +156,7 @@ void SceneView::alongPath(rhi::Device& device, const std::function<void()>& visi
     visit();
   }
   if (m_effects.steps.empty()) return visit();
-  look(scene().camera(), m_effects);
+  look(scene(), m_effects);
   m_lightViews = m_united;
   writeAll(uploadsTo(device));
 }
@@ -149,10 +164,9 @@ void SceneView::alongPath(rhi::Device& device, const std::function<void()>& visi
 void SceneView::fitLightViews(rhi::Device& device, const LightFitSettings& settings) {
   m_fit = settings;
   std::vector<std::vector<LightView>> steps;
-  for (size_t k = 0; k < m_effects.steps.size(); ++k)
-    steps.push_back(fitLights(scene(), m_effects.steps[k], scene().path[k], aspect(), settings));
-  if (steps.empty())
-    steps.push_back(fitLights(scene(), m_effects, scene().camera(), aspect(), settings));
+  for (uint32_t k = 0; k < m_effects.steps.size(); ++k)
+    steps.push_back(fitLights(PlacedScene(scene(), k), m_effects.steps[k], aspect(), settings));
+  if (steps.empty()) steps.push_back(fitLights(scene(), m_effects, aspect(), settings));
   m_lightViews = m_united = uniteViews(steps);
   const auto filled = [](const std::vector<LightView>& views) {
     return std::ranges::count_if(views, [](const LightView& v) { return !v.empty(); });
@@ -170,11 +184,16 @@ void SceneView::setSeed(rhi::Device& device, uint32_t seed) {
 }
 
 void SceneView::writeAll(const Write& write) {
-  writeInstances(write);
-  if (m_coplanar)
-    write(m_coplanar, bytesOf(m_gpu.coplanar().words(m_camera, m_size.width, m_size.height)));
+  writeInstances(write, 0, uint32_t(m_instanceData.size()));
+  writeCoplanar(write);
   writeFrame(write);
   writeLights(write);
+}
+
+void SceneView::writeCoplanar(const Write& write) const {
+  if (!m_coplanar) return;
+  const CoplanarSurfaces& surfaces = m_gpu.coplanar(m_step);
+  write(m_coplanar, 0, bytesOf(surfaces.words(m_camera, m_size.width, m_size.height)));
 }
 
 void SceneView::copyInstances(rhi::Device& device, uint32_t copies) {
@@ -182,15 +201,15 @@ void SceneView::copyInstances(rhi::Device& device, uint32_t copies) {
   if (!isNew) return;
   it->second = makeStorage(device, "view instances", bytesOf(m_instanceData).size() * copies,
                            rhi::BufferUse::Vertex);
-  writeInstances(uploadsTo(device));
+  writeInstances(uploadsTo(device), 0, uint32_t(m_instanceData.size()));
 }
 
-void SceneView::writeInstances(const Write& write) const {
+void SceneView::writeInstances(const Write& write, uint32_t first, uint32_t count) const {
   for (const auto& [copies, buffer] : m_instances) {
     std::vector<gpu::InstanceData> records;
-    for (const gpu::InstanceData& instance : m_instanceData)
+    for (const gpu::InstanceData& instance : std::span(m_instanceData).subspan(first, count))
       for (uint32_t copy = 0; copy < copies; ++copy) records.emplace_back(instance).order.y = copy;
-    write(buffer, bytesOf(records));
+    write(buffer, uint64_t(first) * copies * sizeof(gpu::InstanceData), bytesOf(records));
   }
 }
 
@@ -222,16 +241,28 @@ void SceneView::writeFrame(const Write& write) const {
                              .rayUp = glm::vec4(m_rays.up, 0),
                              .rayForward = glm::vec4(m_rays.forward, m_rays.parallel ? 1 : 0),
                              .depthToDistance = glm::vec4(m_rays.depthToDistance)};
-  write(m_frame, std::as_bytes(std::span(&frame, 1)));
+  write(m_frame, 0, std::as_bytes(std::span(&frame, 1)));
+}
+
+bool SceneView::casterRises() const {
+  const auto rises = [&](uint32_t i) { return m_gpu.rises(i, m_step); };
+  return std::ranges::any_of(m_lightViews, [&](const LightView& view) {
+    return std::ranges::any_of(view.opaque, rises) || std::ranges::any_of(view.perforated, rises) ||
+           std::ranges::any_of(view.translucent, rises);
+  });
 }
 
 void SceneView::writeLights(const Write& write) const {
   std::vector<gpu::LightData> lights;
   std::vector<gpu::ShadowViewData> shadowViews;
-  for (const LightView& view : m_lightViews) shadowViews.push_back(view.data);
+  const uint32_t rises = casterRises() ? 1 : 0;
+  for (const LightView& view : m_lightViews) {
+    shadowViews.push_back(view.data);
+    shadowViews.back().ids.y = rises;
+  }
   for (const LightEffects& effects : m_shown->lights) {
     if (!effects.touchesView) continue;
-    gpu::LightData d = lightData(scene().lights[effects.light], effects.light, m_camera.eye);
+    gpu::LightData d = lightData(m_placed.light(effects.light), effects.light, m_camera.eye);
     const auto first = std::ranges::find(m_lightViews, effects.light, &LightView::light);
     if (effects.casts() && first != m_lightViews.end()) {
       d.ids.y = uint32_t(first - m_lightViews.begin());
@@ -239,8 +270,8 @@ void SceneView::writeLights(const Write& write) const {
     }
     lights.push_back(d);
   }
-  write(m_lights, bytesOf(lights));
-  write(m_shadowViews, bytesOf(shadowViews));
+  write(m_lights, 0, bytesOf(lights));
+  write(m_shadowViews, 0, bytesOf(shadowViews));
 }
 
 }  // namespace sb

@@ -1,8 +1,8 @@
-// A GpuScene seen by one camera: instance transforms relative to the eye, lights, light views,
-// per-draw data. Uploaded when the camera is set: a frame of a standing camera uploads nothing. A
-// camera in motion moves within each frame, and what depends on it is written through the frame's
-// own commands; while techniques prepare, the view shows the whole path at once: effects() and
-// lightViews() hold what any step has, so that pipelines and buffers are made for all of them.
+// A GpuScene seen by its camera: instance transforms relative to the eye, lights, light views,
+// per-draw data. Uploaded when it is made: a frame of a standing scene uploads nothing. What moves
+// does so within each frame, and what depends on it is written through the frame's own commands;
+// while techniques prepare, the view shows the whole path at once: effects() and lightViews() hold
+// what any step has, so that pipelines and buffers are made for all of them.
 #pragma once
 
 #include <algorithm>
@@ -33,20 +33,25 @@ class SceneView {
 
   const Scene& scene() const { return m_gpu.scene(); }
   const GpuScene& gpu() const { return m_gpu; }
-  /// What the camera shows where it stands now.
+  /// Where everything is now.
+  const PlacedScene& placed() const { return m_placed; }
+  /// What the camera shows now.
   const ViewEffects& effects() const { return *m_shown; }
   rhi::Extent2D size() const { return m_size; }
   double aspect() const { return double(m_size.width) / double(m_size.height); }
   uint32_t seed() const { return m_seed; }
   const CameraMatrices& camera() const { return m_camera; }
 
-  /// Frames of a loop of the camera's path; 1: it stands.
+  /// What moves along the path.
+  const Moving& moving() const { return m_moving; }
+  /// Frames of a loop of the path; 1: everything stands.
   uint32_t steps() const { return std::max<uint32_t>(1, uint32_t(m_effects.steps.size())); }
-  /// Where on its path the camera stands; 0 without one.
+  /// Which of them this is; 0 without a path.
   uint32_t step() const { return m_step; }
-  /// Goes to a step: camera, transforms, lights, and the fit of every light.
+  /// Goes to a step: camera, transforms, lights, and the fit of every light. Writes what moves and
+  /// what depends on it.
   void moveTo(rhi::CommandList& commands, uint32_t step);
-  /// Calls `visit` at every step in turn (at once where the camera stands), uploading in between.
+  /// Calls `visit` at every step in turn (once where nothing moves), uploading in between.
   /// For preparing: what differs between steps.
   void alongPath(rhi::Device& device, const std::function<void()>& visit);
 
@@ -67,30 +72,37 @@ class SceneView {
   rhi::BufferId instances(uint32_t copies = 1) const { return m_instances.at(copies); }
   /// Makes one with that many copies, now and in every step to come.
   void copyInstances(rhi::Device& device, uint32_t copies);
-  /// An instance's record as the camera stands now.
+  /// An instance's record as it is now.
   const gpu::InstanceData& instance(uint32_t index) const { return m_instanceData[index]; }
   /// What every pipeline that draws the scene is specialized for: shaders/common/scene.glsl.
   std::vector<rhi::SpecConstant> constants() const;
 
  private:
-  using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
+  /// Of a buffer from a byte on.
+  using Write = std::function<void(rhi::BufferId, uint64_t, std::span<const std::byte>)>;
   void createBuffers(rhi::Device& device);
   /// Lights and views that there is room for.
   uint32_t lightCount() const;
   uint32_t viewCount() const;
   bool lightsInStorage() const;
   void bind();
-  /// Where a camera stands and what it shows; the light views are set by the caller.
-  void look(const Camera& camera, const ViewEffects& shown);
+  /// Where everything is and what the camera shows; the light views are set by the caller.
+  void look(PlacedScene placed, const ViewEffects& shown);
   void look(uint32_t step);
+  /// Of any light view, as it is now.
+  bool casterRises() const;
   void writeAll(const Write& write);
   void writeFrame(const Write& write) const;
   void writeLights(const Write& write) const;
-  void writeInstances(const Write& write) const;
+  void writeCoplanar(const Write& write) const;
+  /// So many from the first on.
+  void writeInstances(const Write& write, uint32_t first, uint32_t count) const;
   static Write uploadsTo(rhi::Device& device);
 
   const GpuScene& m_gpu;
   const Effects& m_effects;
+  const Moving m_moving;
+  PlacedScene m_placed;
   const ViewEffects* m_shown;
   rhi::Extent2D m_size;
   uint32_t m_seed;

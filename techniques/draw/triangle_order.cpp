@@ -59,8 +59,9 @@ void TriangleOrder::sortEntries() {
       for (uint32_t c = 0; c < 3; ++c)
         centroid += glm::dvec3(mesh.positions[mesh.indices[3 * t + c]]) / 3.0;
     }
-    const glm::dmat3 linear(instance.toWorld);
-    const glm::dvec3 translation = glm::dvec3(instance.toWorld[3]) - m_view->camera().eye;
+    const glm::dmat4& toWorld = m_view->placed().toWorld(i);
+    const glm::dmat3 linear(toWorld);
+    const glm::dvec3 translation = glm::dvec3(toWorld[3]) - m_view->camera().eye;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
       m_entries.push_back(
           {m_rank(linear * centroids[t] + translation), mesh.key, instance.key,

@@ -1,5 +1,5 @@
 // Triangles of several instances drawn in an order of their own: where one mesh as a whole has no
-// right place among others. Sorted once for a standing view, and again in each frame of a moving
+// right place among others. Sorted once for a standing scene, and again in each frame of a moving
 // one; draws are runs of one instance each.
 #pragma once
 

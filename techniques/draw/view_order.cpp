@@ -16,7 +16,7 @@ std::vector<uint32_t> backToFront(const SceneView& view, std::span<const uint32_
   };
   std::vector<Entry> order;
   for (const uint32_t i : instances) {
-    const Box box = instanceBounds(view.scene(), i, view.camera().eye);
+    const Box box = instanceBounds(view.placed(), i, view.camera().eye);
     const Instance& instance = view.scene().instances[i];
     order.push_back({-viewDepth(view, (box.min + box.max) * 0.5),
                      view.scene().meshes[instance.mesh].key, instance.key, i});

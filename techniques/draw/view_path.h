@@ -1,4 +1,4 @@
-// Light views along a camera's path: every view that any step has keeps one place in the list and
+// Light views along a scene's path: every view that any step has keeps one place in the list and
 // one layer of the map, so that what techniques keep by view stays where it is.
 #pragma once
 

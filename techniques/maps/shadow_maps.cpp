@@ -76,7 +76,7 @@ namespace {
 /// hardware tap and to samples. 0: no caster rises before itself, or another bias is asked for.
 float recedingReach(const Context& context, uint32_t kernel, uint32_t samples) {
   if (!context.knobs.is("bias", "plane")) return 0;
-  const auto rises = [&](uint32_t i) { return context.view.gpu().rises(i); };
+  const auto rises = [&](uint32_t i) { return context.view.gpu().everRises(i); };
   if (std::ranges::none_of(context.view.lightViews(), [&](const LightView& v) {
         return std::ranges::any_of(v.opaque, rises) || std::ranges::any_of(v.perforated, rises) ||
                std::ranges::any_of(v.translucent, rises);

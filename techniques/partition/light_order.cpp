@@ -64,7 +64,8 @@ void LightOrder::sortInstances() {
   std::vector<std::tuple<double, uint32_t, uint32_t>> order;
   for (const uint32_t i : m_instances)
     order.emplace_back(
-        boxDepth(lightView(), instanceBounds(scene, i, m_view->camera().eye), m_how == "nearest"),
+        boxDepth(lightView(), instanceBounds(m_view->placed(), i, m_view->camera().eye),
+                 m_how == "nearest"),
         scene.instances[i].key, i);
   std::ranges::sort(order);
   for (size_t i = 0; i < order.size(); ++i) m_instances[i] = std::get<2>(order[i]);

@@ -25,10 +25,10 @@ struct LightPoint {
 
 LightNode makeNode(const SceneView& view, const LightView& light, uint32_t i) {
   const Scene& scene = view.scene();
-  const Instance& instance = scene.instances[i];
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const glm::dmat3 linear(instance.toWorld);
-  const glm::dvec3 translation = glm::dvec3(instance.toWorld[3]) - view.camera().eye;
+  const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+  const glm::dmat4& toWorld = view.placed().toWorld(i);
+  const glm::dmat3 linear(toWorld);
+  const glm::dvec3 translation = glm::dvec3(toWorld[3]) - view.camera().eye;
   LightNode node{.instance = i};
   for (int c = 0; c < 8; ++c)
     node.corners[size_t(c)] = linear * glm::dvec3(c & 1 ? mesh.boundsMax.x : mesh.boundsMin.x,
@@ -135,7 +135,7 @@ LightOverlap lightOverlap(const SceneView& view, const LightView& light) {
   }
   out.successors.resize(out.nodes.size());
 
-  const Light& source = scene.lights[light.light];
+  const Light& source = view.placed().light(light.light);
   const LightPoint point{source.type == LightType::Directional,
                          source.type == LightType::Directional
                              ? -source.direction

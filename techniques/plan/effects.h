@@ -81,7 +81,7 @@ struct ViewEffects {
   std::vector<uint32_t> visibleMedia;        ///< into Scene::media: before the camera
 };
 
-/// The analysis of scene + camera + lights. Of a camera in motion: what any step of its path shows
+/// The analysis of scene + camera + lights. Of a scene that moves: what any step of its path shows
 /// or calls for.
 struct Effects : ViewEffects {
   EffectSet present;

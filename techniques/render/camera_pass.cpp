@@ -39,9 +39,9 @@ CameraPass::CameraPass(const Context& context, CameraPassDesc desc)
   }
 }
 
-void CameraPass::cameraMoved(Frame& frame) {
+void CameraPass::moved(Frame& frame) {
   m_opaque.refill(*this);
-  if (m_transparency) m_transparency->cameraMoved(frame, *this);
+  if (m_transparency) m_transparency->moved(frame, *this);
 }
 
 const std::string& CameraPass::folder(Receivers receivers) const {
@@ -74,7 +74,7 @@ rhi::GraphicsPipelineDesc CameraPass::surfacePipeline(const std::string& label,
   std::vector<rhi::SpecConstant> constants = {{0, m_context.view.gpu().textured()},
                                               {1, m_context.plan.runs(Effect::NormalMaps)},
                                               {2, masked},
-                                              {4, !m_context.view.gpu().coplanar().empty()}};
+                                              {4, coplanar()}};
   constants.insert(constants.end(), m_desc.inputs.constants.begin(), m_desc.inputs.constants.end());
   desc.constants = declaredConstants({desc.vertex, desc.fragment}, constants);
   return desc;

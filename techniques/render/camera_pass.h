@@ -30,7 +30,7 @@ class CameraPass {
   CameraPass(const Context& context, CameraPassDesc desc);
 
   /// Within a frame, after the scene view has moved.
-  void cameraMoved(Frame& frame);
+  void moved(Frame& frame);
   void recordOpaque(Frame& frame);
   void recordTranslucent(Frame& frame);
   /// Some of them, after all behind these.
@@ -88,7 +88,7 @@ class CameraPass {
   /// Of draws in `translucentPass`.
   DrawList& drawList() { return coplanar() ? m_translucentDraws : m_drawList; }
   /// Surfaces of the scene lie over others in one plane.
-  bool coplanar() const { return !view().gpu().coplanar().empty(); }
+  bool coplanar() const { return view().gpu().everCoplanar(); }
   /// The opaque depth as shaders sample it; only where surfaces are coplanar.
   rhi::Binding opaqueDepth() const {
     return rhi::textureAt(TEXTURE_TRANSPARENCY, m_depth, m_depthSampler);

@@ -64,12 +64,12 @@ Context Renderer::context() {
   return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
 }
 
-void Renderer::moveCamera(Frame& frame, uint32_t step) {
-  frame.between("camera moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
+void Renderer::moveTo(Frame& frame, uint32_t step) {
+  frame.between("moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
     m_view->moveTo(commands, step);
-    if (m_technique) m_technique->cameraMoved(frame);
-    m_lights->cameraMoved(frame);
-    m_camera->cameraMoved(frame);
+    if (m_technique) m_technique->moved(frame);
+    m_lights->moved(frame);
+    m_camera->moved(frame);
   });
 }
 
@@ -80,7 +80,7 @@ FrameResult Renderer::frame(FrameMode mode) {
   const bool moves = steps() > 1 && m_at != step;
   m_at = step;
   return m_runner.run(mode, [&](Frame& frame) {
-    if (moves) moveCamera(frame, step);
+    if (moves) moveTo(frame, step);
     m_lights->record(frame);
     recordInOrder(
         frame, m_technique.get(),

@@ -35,15 +35,15 @@ class Renderer {
   Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
            RendererDesc desc);
 
-  /// A camera in motion advances by one step of its path, from the first to the last and again;
-  /// moving, and all that follows from it, is part of the frame.
+  /// What moves advances by one step of its path, from the first to the last and again; moving, and
+  /// all that follows from it, is part of the frame.
   FrameResult frame(FrameMode mode = FrameMode::Plain);
-  /// Frames of a loop; 1: the camera stands.
+  /// Frames of a loop; 1: everything stands.
   uint32_t steps() const { return m_view->steps(); }
-  /// From the next frame on the camera stands at a step of its path: where it is anyway costs
+  /// From the next frame on everything stands at a step of its path: where it is anyway costs
   /// nothing.
   void standAt(uint32_t step) { m_standing = step; }
-  /// At the last step, which is where the truth's camera stands.
+  /// At the last step, which is that of the truth.
   void standStill() { standAt(steps() - 1); }
 
   /// The last frame's picture, linear RGBA, row 0 = bottom row (clip y = -1).
@@ -56,7 +56,7 @@ class Renderer {
   LookupReach reach(uint32_t light) const;
   /// Why visibility does not depend on the seed, or "".
   std::string whyNotRandom() const;
-  /// readVisibility where the truth's camera stands, drawn with a seed. Call after everything
+  /// readVisibility at the step of the truth, drawn with a seed. Call after everything
   /// timed.
   std::vector<VisibilityImage> visibilityAtEnd(uint32_t light, uint32_t seed);
   /// Frames from now on draw other random numbers. Call between frames.
@@ -73,7 +73,7 @@ class Renderer {
 
  private:
   Context context();
-  void moveCamera(Frame& frame, uint32_t step);
+  void moveTo(Frame& frame, uint32_t step);
 
   DeviceContext m_device;
   RendererDesc m_desc;

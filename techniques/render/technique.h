@@ -101,10 +101,11 @@ class ShadowTechnique {
   virtual ~ShadowTechnique() = default;
   /// Creates pipelines, maps and buffers for one scene view; runs once, outside timed regions.
   virtual void prepare(const Context& context) = 0;
-  /// Within a frame, before `record`: the camera has moved. Context::view shows the step and has
-  /// refitted its light views; recompute what else depends on the camera, and write it through the
-  /// frame's commands. Buffers and layers made in `prepare` must serve every step of the path.
-  virtual void cameraMoved(Frame&) {}
+  /// Within a frame, before `record`: what moves (SceneView::moving) is at its next step.
+  /// Context::view shows it and has refitted its light views; recompute what else depends on where
+  /// camera, instances and lights are, and write it through the frame's commands. Buffers and
+  /// layers made in `prepare` must serve every step of the path.
+  virtual void moved(Frame&) {}
   /// Records the passes before the camera's (none when the plan calls for none).
   virtual void record(Frame& frame) = 0;
   /// Records the passes that answer for one layer of receivers; its surfaces ask next. After
@@ -129,8 +130,8 @@ class TransparencyTechnique {
   virtual ~TransparencyTechnique() = default;
   /// Runs once, and only when the plan has Effect::CameraTransparency.
   virtual void prepare(const Context& context, CameraPass& camera) = 0;
-  /// Within a frame, before anything is recorded: the camera has moved, see ShadowTechnique.
-  virtual void cameraMoved(Frame&, CameraPass&) {}
+  /// Within a frame, before anything is recorded, see ShadowTechnique.
+  virtual void moved(Frame&, CameraPass&) {}
   /// Records the translucent surfaces over the opaque picture.
   virtual void record(Frame& frame, CameraPass& camera) = 0;
   /// The same for some of them, after all parts behind these. Only with TechniqueInfo::drawsParts.
@@ -151,7 +152,7 @@ class LightTechnique {
   /// Runs once, outside timed regions.
   virtual void prepare(const Context&) {}
   /// See ShadowTechnique.
-  virtual void cameraMoved(Frame&) {}
+  virtual void moved(Frame&) {}
   /// Records what the loop reads; before any surface is shaded.
   virtual void record(Frame&) {}
   /// Constants: ids 48..63.

@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "techniques/scene/scene.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 
@@ -56,7 +56,7 @@ struct Box {
 };
 
 /// Bounds of an instance relative to `origin`, through the rotation `axes` (rows: the axes).
-Box instanceBounds(const Scene& scene, uint32_t instance, const glm::dvec3& origin,
+Box instanceBounds(const PlacedScene& placed, uint32_t instance, const glm::dvec3& origin,
                    const glm::dmat3& axes = glm::dmat3(1));
 
 }  // namespace sb

@@ -97,18 +97,22 @@ class Finder {
 
 ConcaveSides concaveSides(const Mesh& mesh) { return Finder(mesh).find(); }
 
-bool risesInLight(const Scene& scene, const Instance& instance, const ConcaveSides& sides) {
+bool risesInLight(const PlacedScene& placed, uint32_t instance, const ConcaveSides& sides) {
   if (!sides.any || !sides.convexSolid) return sides.any;
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const glm::dmat4 toMesh = glm::inverse(instance.toWorld);
+  const Scene& scene = placed.scene();
+  const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
+  const glm::dmat4 toMesh = glm::inverse(placed.toWorld(instance));
   const glm::dvec3 margin = 1e-6 * glm::dvec3(mesh.boundsMax - mesh.boundsMin);
-  return std::ranges::any_of(scene.lights, [&](const Light& light) {
+  const auto within = [&](const Light& light) {
     if (light.type == LightType::Directional) return false;
     const glm::dvec3 p(toMesh * glm::dvec4(light.position, 1));
     // Not a number, of a singular transform, is inside too.
     return !glm::any(glm::lessThan(p, glm::dvec3(mesh.boundsMin) - margin)) &&
            !glm::any(glm::greaterThan(p, glm::dvec3(mesh.boundsMax) + margin));
-  });
+  };
+  for (uint32_t l = 0; l < scene.lights.size(); ++l)
+    if (within(placed.light(l))) return true;
+  return false;
 }
 
 }  // namespace sb

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "techniques/scene/scene.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 
@@ -28,6 +28,6 @@ ConcaveSides concaveSides(const Mesh& mesh);
 
 /// Whether some light may see an instance rise before itself: a convex solid only from within.
 /// Conservative: true inside the solid's box.
-bool risesInLight(const Scene& scene, const Instance& instance, const ConcaveSides& sides);
+bool risesInLight(const PlacedScene& placed, uint32_t instance, const ConcaveSides& sides);
 
 }  // namespace sb

@@ -20,12 +20,12 @@ bool within(const Facet& plane, const Facet& facet) {
 
 }  // namespace
 
-Facet facetOf(const Scene& scene, uint32_t index, uint32_t triangle, const dvec3& origin) {
-  const Instance& instance = scene.instances[index];
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const glm::dmat3 linear(instance.toWorld);
+Facet facetOf(const PlacedScene& placed, uint32_t index, uint32_t triangle, const dvec3& origin) {
+  const Mesh& mesh = placed.scene().meshes[placed.scene().instances[index].mesh];
+  const glm::dmat4& toWorld = placed.toWorld(index);
+  const glm::dmat3 linear(toWorld);
   const glm::dmat3 size(glm::abs(linear[0]), glm::abs(linear[1]), glm::abs(linear[2]));
-  const dvec3 place(instance.toWorld[3]), translation = place - origin;
+  const dvec3 place(toWorld[3]), translation = place - origin;
   Facet facet{.corners = {}, .normal = dvec3(0), .ulp = dvec3(0)};
   for (size_t c = 0; c < 3; ++c) {
     const dvec3 p(mesh.positions[mesh.indices[3 * triangle + c]]);

@@ -8,7 +8,7 @@
 #include <array>
 #include <compare>
 
-#include "techniques/scene/scene.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 
@@ -18,7 +18,8 @@ struct Facet {
   glm::dvec3 normal;                  ///< unit; 0 for a triangle without area
   glm::dvec3 ulp;                     ///< of its coordinates, by component
 };
-Facet facetOf(const Scene& scene, uint32_t instance, uint32_t triangle, const glm::dvec3& origin);
+Facet facetOf(const PlacedScene& placed, uint32_t instance, uint32_t triangle,
+              const glm::dvec3& origin);
 
 /// Signed distance of a point from the facet's plane.
 inline double heightOver(const Facet& facet, const glm::dvec3& point) {

@@ -41,7 +41,8 @@ bool overlap(const Candidate& a, const Candidate& b) {
   return !separates(a.facet, b.facet, slack) && !separates(b.facet, a.facet, slack);
 }
 
-std::vector<Candidate> candidatesOf(const Scene& scene) {
+std::vector<Candidate> candidatesOf(const PlacedScene& placed) {
+  const Scene& scene = placed.scene();
   std::vector<uint8_t> translucent;
   for (const Material& m : scene.materials)
     translucent.push_back(materialTraits(scene, m).cameraTranslucent);
@@ -51,7 +52,7 @@ std::vector<Candidate> candidatesOf(const Scene& scene) {
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-      Candidate c{.facet = facetOf(scene, i, t, dvec3(0)),
+      Candidate c{.facet = facetOf(placed, i, t, dvec3(0)),
                   .low = {},
                   .high = {},
                   .instance = i,
@@ -98,8 +99,9 @@ double areaOf(const Facet& f) {
 
 }  // namespace
 
-CoplanarSurfaces::CoplanarSurfaces(const Scene& scene) : m_scene(&scene) {
-  const std::vector<Candidate> all = candidatesOf(scene);
+CoplanarSurfaces::CoplanarSurfaces(const PlacedScene& placed) : m_scene(&placed.scene()) {
+  const Scene& scene = *m_scene;
+  const std::vector<Candidate> all = candidatesOf(placed);
   const auto pairs = pairsOf(all);
   if (pairs.empty()) return;
 

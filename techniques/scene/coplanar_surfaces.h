@@ -1,8 +1,9 @@
 // Which triangles of a scene lie over one another in one plane, one of them translucent at least,
-// and in what order they are layers (spec 16): opaque ones first, then by their keys. Rasterised, two
-// tessellations of one plane have depths that differ by chance; so all triangles of a plane take
-// their depth from that plane, and each lies as many steps of a float behind it as there are
-// surfaces before it. Computed once a scene; the planes as the camera sees them, for each camera.
+// and in what order they are layers (spec 16): opaque ones first, then by their keys. Rasterised,
+// two tessellations of one plane have depths that differ by chance; so all triangles of a plane
+// take their depth from that plane, and each lies as many steps of a float behind it as there are
+// surfaces before it. Computed once for
+// each place of the instances; the planes as the camera sees them, for each camera.
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace sb {
 class CoplanarSurfaces {
  public:
   CoplanarSurfaces() = default;
-  explicit CoplanarSurfaces(const Scene& scene);
+  explicit CoplanarSurfaces(const PlacedScene& placed);
 
   bool empty() const { return m_members.empty(); }
   /// What shaders/common/layer_depth.glsl reads: by instance, the place of its triangles' entries or

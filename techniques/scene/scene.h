@@ -98,6 +98,7 @@ struct Instance {
   uint32_t mesh = 0;
   glm::dmat4 toWorld = glm::dmat4(1);
   uint32_t key = 0;  ///< persistent, unique; part of every random number
+  uint32_t pose = kNone;  ///< into SceneState::instances; kNone: it stands
 };
 
 enum class LightType : uint8_t { Directional, Point, Spot };
@@ -122,6 +123,13 @@ struct Light {
   /// spot light's flat shape faces along `direction`.
   glm::dmat3 halfAxes = glm::dmat3(0);
   uint32_t key = 0;  ///< persistent, unique; part of every random number
+  uint32_t pose = kNone;  ///< into SceneState::lights; kNone: it stands
+};
+
+/// What of a light moves.
+struct LightPose {
+  glm::dvec3 position = glm::dvec3(0), direction = glm::dvec3(0, -1, 0);
+  glm::dmat3 halfAxes = glm::dmat3(0);
 };
 
 enum class MediumKind : uint8_t { Homogeneous, Smoke, Grid };
@@ -153,7 +161,14 @@ struct Camera {
   double halfHeight = 1;    ///< world units, orthographic
   double nearPlane = 0.1;   ///< world units
   double farPlane = 1000;   ///< world units
+  uint32_t pose = kNone;    ///< into SceneState::cameras; kNone: it stands
   glm::dvec3 eye() const { return glm::dvec3(toWorld[3]); }
+};
+
+/// One step of a loop: where everything that moves stands, found by its `pose`.
+struct SceneState {
+  std::vector<glm::dmat4> cameras, instances;  ///< toWorld of each
+  std::vector<LightPose> lights;
 };
 
 struct Scene {
@@ -165,9 +180,10 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Medium> media;
   std::vector<Camera> cameras;  ///< the first one renders; never empty after loading
-  /// Where a camera in motion stands in each frame of a loop; the last one is camera(), so that
-  /// whatever knows no motion sees the last frame. Empty: the camera stands still.
-  std::vector<Camera> path;
+  /// Where what moves stands in each frame of a loop; in the last one it stands where the lists
+  /// above say, so that whatever knows no motion sees the last frame. Empty: nothing moves. Asked
+  /// through techniques/scene/placed_scene.h.
+  std::vector<SceneState> path;
   glm::vec3 ambient = glm::vec3(0.1f);    ///< radiance that reaches every point from everywhere
   /// Radiance of the sky straight above, on top of `ambient`: a surface gets the share (1 + n.y) / 2
   /// of it, half at a wall, none from below; unshadowed, like `ambient`. Up is +y.

@@ -42,7 +42,7 @@ REGISTER_TECHNIQUE(LightTechnique, NeedyLoop,
                                   .requires_ = {rhi::Feature::Presentation},
                                   .error = "it leaves out no light"}));
 
-std::vector<CellId> select(const Selection& s) {
+std::vector<CellId> selected(const Selection& s) {
   return selectCells(s, kBackendNames, kDefaultBackends);
 }
 
@@ -55,7 +55,7 @@ std::vector<std::string> namesOf(const std::vector<CellId>& cells) {
 using Names = std::vector<std::string>;
 
 TEST(LightLoopCells, NamesSayTheLoopUnlessItIsTheDefault) {
-  const auto cells = select(
+  const auto cells = selected(
       {.techniques = {"CSSM2@AllLights", "CSSM2@TestLoop", "CSSM2+DepthPeeling@TestLoop", "CSSM2"},
        .backends = {"vulkan"},
        .scenes = {"layers"}});
@@ -71,25 +71,25 @@ TEST(LightLoopCells, NamesSayTheLoopUnlessItIsTheDefault) {
 }
 
 TEST(LightLoopCells, WithoutANameTheLoopIsTheDefault) {
-  for (const CellId& id : select({})) EXPECT_EQ(id.lights, kDefaultLights) << cellName(id);
+  for (const CellId& id : selected({})) EXPECT_EQ(id.lights, kDefaultLights) << cellName(id);
 }
 
 TEST(LightLoopCells, NamesFindThemselvesAsFilters) {
   const Selection all{.techniques = {"none@TestLoop", "none", "CSSM2@TestLoop"},
                       .scenes = {"layers"}};
   Selection one = all;
-  for (const std::string& name : namesOf(select(all))) {
+  for (const std::string& name : namesOf(selected(all))) {
     one.filter = name;
-    EXPECT_EQ(namesOf(select(one)), Names{name});
+    EXPECT_EQ(namesOf(selected(one)), Names{name});
   }
   one.filter = "@TestLoop";
-  EXPECT_EQ(select(one).size(), 4u);
+  EXPECT_EQ(selected(one).size(), 4u);
 }
 
 TEST(LightLoopCells, WhatIsNoCombinationIsRefusedWithTheNearest) {
   const auto complaint = [](const std::string& technique) -> std::string {
     try {
-      select({.techniques = {technique}});
+      selected({.techniques = {technique}});
     } catch (const InputError& e) {
       return e.what();
     }
@@ -105,17 +105,17 @@ TEST(LightLoopCells, WhatIsNoCombinationIsRefusedWithTheNearest) {
 }
 
 TEST(LightLoopCells, TheLoopHasKnobsOfItsOwn) {
-  const auto cells = select({.techniques = {"none", "none@TestLoop", "ShadowMap@TestLoop"},
-                             .backends = {"vulkan"},
-                             .scenes = {"layers"},
-                             .sets = {"reach=4,8.0", "size=512"}});
+  const auto cells = selected({.techniques = {"none", "none@TestLoop", "ShadowMap@TestLoop"},
+                               .backends = {"vulkan"},
+                               .scenes = {"layers"},
+                               .sets = {"reach=4,8.0", "size=512"}});
   EXPECT_EQ(namesOf(cells),
             (Names{"none/vulkan/layers/512x512", "none@TestLoop/vulkan/layers/512x512",
                    "none@TestLoop/vulkan/layers/reach:8/512x512",
                    "ShadowMap@TestLoop/vulkan/layers/size:512/512x512",
                    "ShadowMap@TestLoop/vulkan/layers/size:512/reach:8/512x512"}));
   try {
-    select({.techniques = {"none"}, .sets = {"reach=8"}});
+    selected({.techniques = {"none"}, .sets = {"reach=8"}});
     FAIL() << "a knob that nothing has";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("which is a knob of TestLoop"), std::string::npos);

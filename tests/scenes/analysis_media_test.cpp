@@ -4,6 +4,7 @@
 
 #include "suites/scenes/analysis/analysis.h"
 #include "suites/scenes/procedural/shapes.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb::test {
 namespace {
@@ -105,9 +106,9 @@ TEST(AnalysisMedia, OnlyWhatScattersNeedsLight) {
 
 TEST(AnalysisMedia, APathCallsForWhatItsStepsSee) {
   Scene scene = sceneOf({mistAt({0, 0, 0}), mistAt({20, 0, 0})});
-  Camera beside = scene.camera();
-  beside.toWorld[3].x = 20;
-  scene.path = {beside, scene.camera()};
+  glm::dmat4 beside = scene.camera().toWorld;
+  beside[3].x = 20;
+  moveCamera(scene, std::vector{beside, scene.camera().toWorld});
   const Effects e = analyse(scene, 1);
   EXPECT_EQ(e.visibleMedia, (Indices{0, 1}));
   ASSERT_EQ(e.steps.size(), 2u);

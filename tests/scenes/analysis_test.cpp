@@ -11,6 +11,7 @@
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/scene/light_area.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
@@ -56,9 +57,9 @@ class AnalysisTest : public ::testing::Test {
 TEST_F(AnalysisTest, APathCallsForWhatAnyOfItsStepsCallsFor) {
   const uint32_t pane = quad(paneMaterial("pane", glm::vec3(1), 0.5f), 6, 1, 0);  // beside the view
   const uint32_t near = quad(matteMaterial("near", glm::vec3(1)), 1, 1, 0);
-  Camera beside = m_scene.camera();
-  beside.toWorld[3].x = 8;
-  m_scene.path = {beside, m_scene.camera()};
+  glm::dmat4 beside = m_scene.camera().toWorld;
+  beside[3].x = 8;
+  moveCamera(m_scene, std::vector{beside, m_scene.camera().toWorld});
   const Effects e = effects();
   ASSERT_EQ(e.steps.size(), 2u);
   EXPECT_EQ(e.steps[0].visibleTranslucent, (std::vector<uint32_t>{pane}));

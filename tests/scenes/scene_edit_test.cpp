@@ -6,6 +6,7 @@
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
@@ -59,12 +60,14 @@ TEST(SceneEdit, MotionArrivesWhereTheCameraStands) {
   const Scene still = makeScene("layers?camera:eye=4,5,6,at=4,5,0");
   ASSERT_EQ(scene.path.size(), 3u);
   EXPECT_EQ(scene.camera().toWorld, still.camera().toWorld);
-  EXPECT_EQ(scene.path[2].toWorld, scene.camera().toWorld);
-  EXPECT_EQ(scene.path[1].eye(), glm::dvec3(3.5, 6, 4.5));
-  EXPECT_EQ(scene.path[0].eye(), glm::dvec3(3, 7, 3));
+  const auto cameraAt = [&](uint32_t k) { return PlacedScene(scene, k).camera(); };
+  EXPECT_EQ(cameraAt(2).toWorld, scene.camera().toWorld);
+  EXPECT_EQ(cameraAt(1).eye(), glm::dvec3(3.5, 6, 4.5));
+  EXPECT_EQ(cameraAt(0).eye(), glm::dvec3(3, 7, 3));
   // Looks along -z in the end, and a quarter turn clockwise of that, along +x, at first.
-  EXPECT_NEAR(glm::length(glm::dvec3(scene.path[0].toWorld[2]) - glm::dvec3(-1, 0, 0)), 0, 1e-12);
-  for (const Camera& camera : scene.path) {
+  EXPECT_NEAR(glm::length(glm::dvec3(cameraAt(0).toWorld[2]) - glm::dvec3(-1, 0, 0)), 0, 1e-12);
+  for (uint32_t k = 0; k < 3; ++k) {
+    const Camera camera = cameraAt(k);
     EXPECT_EQ(camera.toWorld[1], scene.camera().toWorld[1]);
     EXPECT_NEAR(glm::dot(glm::cross(glm::dvec3(camera.toWorld[0]), glm::dvec3(camera.toWorld[1])),
                          glm::dvec3(camera.toWorld[2])), 1, 1e-12);
@@ -98,7 +101,8 @@ TEST(SceneEdit, WrongOnesAreNamed) {
       {"layers?*:opacity=1", "unknown key 'opacity'"},
       {"layers?camera:eye=1,2,3", "lacks at"},
       {"layers?camera:eye=1,2,3,at=1,2,3", "the same point"},
-      {"layers?motion:turn=3", "lacks move"},
+      {"layers?motion:steps=3", "lacks move or turn: nothing else in the scene moves"},
+      {"layers?motion:turn=0", "neither moves nor turns"},
       {"layers?motion:move=0,0,0", "neither moves nor turns"},
       {"layers?motion:move=1,0,0,steps=1", "steps holds '1', expected a number from 2 to 64"},
       {"layers?motion:move=1,0,0,steps=2.5", "expected a whole number"},

@@ -5,12 +5,14 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/analysis_media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/analysis_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/export_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_animation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_broken_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_choices_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_limits_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_posed_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/moving_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/optics_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/penumbra_bound_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/procedural_test.cpp

@@ -122,8 +122,7 @@ uint32_t Cell::mapSize() const { return m_knobs.integer("size"); }
 
 std::vector<LightView> Cell::lightViews() const {
   const uint32_t size = mapSize();
-  return fitLights(m_scene, effects(), m_scene.camera(),
-                   double(m_options.size.width) / m_options.size.height,
+  return fitLights(m_scene, effects(), double(m_options.size.width) / m_options.size.height,
                    {.mapSize = size,
                     .guardTexels = std::min(m_knobs.integer("kernel") / 2 + 2, size / 4),
                     .fit = m_knobs.is("fit", "stable") ? LightFit::Stable : LightFit::Tight,

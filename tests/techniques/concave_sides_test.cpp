@@ -113,7 +113,7 @@ TEST(ConcaveSides, ConvexSolidsRiseInLightsWithinAlone) {
   EXPECT_TRUE(box.convexSolid);
   const auto rises = [&](const Light& light) {
     scene.lights = {light};
-    return risesInLight(scene, scene.instances.back(), box);
+    return risesInLight(scene, 1, box);
   };
   EXPECT_FALSE(rises(sun({0.5, -1, 0})));
   EXPECT_FALSE(rises(pointLight({0, 0, 0})));
@@ -124,5 +124,5 @@ TEST(ConcaveSides, ConvexSolidsRiseInLightsWithinAlone) {
   open.triangleKeys.resize(10);
   EXPECT_FALSE(concaveSides(open).convexSolid);
   scene.lights = {sun({0, -1, 0})};
-  EXPECT_TRUE(risesInLight(scene, scene.instances.back(), concaveSides(open)));
+  EXPECT_TRUE(risesInLight(scene, 1, concaveSides(open)));
 }

@@ -15,7 +15,7 @@ namespace {
 
 LightView fitted(const Scene& scene, LightFit fit) {
   const Effects effects = analyse(scene, 1);
-  return fitLights(scene, effects, scene.camera(), 1,
+  return fitLights(scene, effects, 1,
                    {.mapSize = 256, .guardTexels = 3, .fit = fit, .depthStep = 0x1p-24f})
       .at(0);
 }
@@ -77,7 +77,7 @@ Scene lamp(const Light& light) {
 
 std::vector<LightView> viewsOf(const Scene& scene, LightFit fit) {
   const Effects effects = analyse(scene, 1);
-  return fitLights(scene, effects, scene.camera(), 1,
+  return fitLights(scene, effects, 1,
                    {.mapSize = 256, .guardTexels = 3, .fit = fit, .depthStep = 0});
 }
 

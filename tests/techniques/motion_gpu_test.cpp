@@ -1,6 +1,6 @@
-// A camera in motion: every frame of its path is, bit by bit, the frame of a camera that stands
-// there with the same plan, for every technique; and the path does not depend on where in the world
-// it lies.
+// Scenes in motion: every frame of a path is, bit by bit, the frame of a scene that stands there
+// with the same plan, for every technique, be it the camera, the world or both that move; and the
+// path does not depend on where in the world it lies.
 #include "suites/scenes/edit/transform.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/motion_scenes.h"
@@ -19,8 +19,8 @@ CellOptions optionsOf(const std::string& technique, std::map<std::string, std::s
           .transparency = transparency};
 }
 
-/// Two loops of the path against cameras that stand at each step.
-void expectFramesOfStandingCameras(rhi::Device& device, const Scene& scene, CellOptions options) {
+/// Two loops of the path against scenes that stand at each step.
+void expectFramesOfStandingScenes(rhi::Device& device, const Scene& scene, CellOptions options) {
   std::string name = options.technique + "+" + options.transparency;
   for (const auto& [knob, value] : options.knobs) name += " " + knob + "=" + value;
   Cell moving(cellDevice(device), scene, options);
@@ -44,36 +44,72 @@ void expectFramesOfStandingCameras(rhi::Device& device, const Scene& scene, Cell
 
 GPU_TEST(Motion, ShadowTechniquesDrawWhatAStandingCameraSees) {
   for (const ShadowEntry* technique : shadowTechniques()) {
-    expectFramesOfStandingCameras(device(), travelled(true), optionsOf(technique->info.name));
+    expectFramesOfStandingScenes(device(), travelled(true), optionsOf(technique->info.name));
     if (technique->info.name == "none") continue;
-    expectFramesOfStandingCameras(device(), travelled(false, 60, 4),
-                                  optionsOf(technique->info.name, {{"fit", "stable"}}));
+    expectFramesOfStandingScenes(device(), travelled(false, 60, 4),
+                                 optionsOf(technique->info.name, {{"fit", "stable"}}));
   }
+}
+
+GPU_TEST(Motion, ShadowTechniquesDrawAWorldThatStands) {
+  for (const ShadowEntry* technique : shadowTechniques()) {
+    expectFramesOfStandingScenes(device(), inhabited(true), optionsOf(technique->info.name));
+    expectFramesOfStandingScenes(device(), restless(), optionsOf(technique->info.name));
+    if (technique->info.name == "none") continue;
+    expectFramesOfStandingScenes(device(), inhabited(false),
+                                 optionsOf(technique->info.name, {{"fit", "stable"}}));
+  }
+}
+
+GPU_TEST(Motion, WhatTouchesInOneStepAloneStaysExactInAll) {
+  for (const ShadowEntry* technique : shadowTechniques())
+    expectFramesOfStandingScenes(device(), inhabited(true, true), optionsOf(technique->info.name));
+  for (const TransparencyEntry* technique : transparencyTechniques())
+    expectFramesOfStandingScenes(device(), inhabited(false, true),
+                                 optionsOf("ShadowMap", {}, technique->info.name));
+}
+
+GPU_TEST(Motion, OrdersFromTheLightFollowTheWorld) {
+  for (const char* order : {"centre", "nearest", "triangle"})
+    expectFramesOfStandingScenes(
+        device(), inhabited(true),
+        optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
+  for (const char* partition : {"peeled", "batches", "source"})
+    expectFramesOfStandingScenes(device(), inhabited(true),
+                                 optionsOf("CompositedTranslucent", {{"partition", partition}}));
+}
+
+GPU_TEST(Motion, TransparencyTechniquesDrawAWorldThatStands) {
+  for (const TransparencyEntry* technique : transparencyTechniques())
+    expectFramesOfStandingScenes(device(), inhabited(false),
+                                 optionsOf("ShadowMap", {}, technique->info.name));
+  expectFramesOfStandingScenes(device(), inhabited(false),
+                               optionsOf("ShadowMap", {{"sort", "triangle"}}));
 }
 
 GPU_TEST(Motion, OrdersFromTheLightFollowTheCamera) {
   for (const char* order : {"centre", "nearest", "triangle", "none"})
-    expectFramesOfStandingCameras(
+    expectFramesOfStandingScenes(
         device(), travelled(true),
         optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
   for (const char* partition : {"peeled", "batches", "source"})
-    expectFramesOfStandingCameras(device(), travelled(true),
-                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
+    expectFramesOfStandingScenes(device(), travelled(true),
+                                 optionsOf("CompositedTranslucent", {{"partition", partition}}));
   // Deeper levels than two are peeled on the last.
-  expectFramesOfStandingCameras(device(), travelled(true),
-                                optionsOf("CompositedTranslucent", {{"levels", "2"}}));
+  expectFramesOfStandingScenes(device(), travelled(true),
+                               optionsOf("CompositedTranslucent", {{"levels", "2"}}));
 }
 
 GPU_TEST(Motion, TransparencyTechniquesDrawWhatAStandingCameraSees) {
   for (const TransparencyEntry* technique : transparencyTechniques()) {
     // Lists are built in no fixed order; what is sorted out of them is.
-    expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
-                                  optionsOf("ShadowMap", {}, technique->info.name));
+    expectFramesOfStandingScenes(device(), travelled(false, -75, 4),
+                                 optionsOf("ShadowMap", {}, technique->info.name));
   }
-  expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
-                                optionsOf("ShadowMap", {{"sort", "triangle"}}));
-  expectFramesOfStandingCameras(device(), travelled(false, -75, 4),
-                                optionsOf("none", {{"stop", "count"}}, "DepthPeeling"));
+  expectFramesOfStandingScenes(device(), travelled(false, -75, 4),
+                               optionsOf("ShadowMap", {{"sort", "triangle"}}));
+  expectFramesOfStandingScenes(device(), travelled(false, -75, 4),
+                               optionsOf("none", {{"stop", "count"}}, "DepthPeeling"));
 }
 
 GPU_TEST(Motion, MeshesChangePlacesAsTheCameraTurns) {
@@ -88,11 +124,11 @@ GPU_TEST(Motion, MeshesChangePlacesAsTheCameraTurns) {
   scene.materials[1].baseColor = {0, 1, 0, 1};
   addLight(scene, sun({0.375, -1, -0.25}));
   scene.cameras.push_back(lookAt({0, 1, 5}, {0, 1, 0}));
-  scene.path = cameraPath(scene.camera(), {5, 0, 5}, 90, 3);
-  expectFramesOfStandingCameras(device(), scene, optionsOf("ShadowMap"));
+  moveCamera(scene, cameraPath(scene.camera().toWorld, {5, 0, 5}, 90, 3));
+  expectFramesOfStandingScenes(device(), scene, optionsOf("ShadowMap"));
   for (const char* partition : {"batches", "source"})
-    expectFramesOfStandingCameras(device(), scene,
-                                  optionsOf("CompositedTranslucent", {{"partition", partition}}));
+    expectFramesOfStandingScenes(device(), scene,
+                                 optionsOf("CompositedTranslucent", {{"partition", partition}}));
 }
 
 GPU_TEST(Motion, TranslationOfThePathIsBitIdentical) {

@@ -138,7 +138,7 @@ void noteMedia(const Analysis& a, const Effects& effects, Notes& notes) {
                              : "no medium is in view or between a light and the view");
 }
 
-Plane placed(const Plane& plane, const glm::dmat4& toWorld, const glm::dvec3& eye) {
+Plane placedPlane(const Plane& plane, const glm::dmat4& toWorld, const glm::dvec3& eye) {
   const glm::dmat3 linear(toWorld);
   const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                             glm::cross(linear[0], linear[1]));
@@ -206,18 +206,24 @@ SceneTraits::SceneTraits(const Scene& scene) {
   }
 }
 
-Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, Shape shape)
-    : scene(s), eye(camera.eye()), view(camera, shape.aspect), rows(shape.rows) {
-  for (const Instance& instance : scene.instances) {
+Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
+    : placed(p),
+      scene(p.scene()),
+      eye(p.camera().eye()),
+      view(p.camera(), shape.aspect),
+      rows(shape.rows) {
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes.at(instance.mesh);
+    const glm::dmat4& toWorld = placed.toWorld(i);
     AnalysedInstance& a = instances.emplace_back();
-    a.box = instanceBox(scene, instance, eye);
+    a.box = transformedBox(mesh.boundsMin, mesh.boundsMax, toWorld, eye);
     a.traits = traits.materials[mesh.material];
     a.visible = !mesh.indices.empty() && view.mayShow(a.box);
     a.lit = !scene.materials[mesh.material].unlit;
     const std::optional<Plane>& plane = traits.planes[instance.mesh];
     a.flat = plane.has_value();
-    if (plane && plane->normal != glm::dvec3(0)) a.plane = placed(*plane, instance.toWorld, eye);
+    if (plane && plane->normal != glm::dvec3(0)) a.plane = placedPlane(*plane, toWorld, eye);
   }
   for (const Medium& medium : scene.media) {
     AnalysedMedium& m = media.emplace_back();
@@ -226,7 +232,7 @@ Analysis::Analysis(const Scene& s, const SceneTraits& traits, const Camera& came
     m.scatters = medium.albedo != glm::vec3(0);
   }
   if (media.empty()) return;
-  const ViewVolume before(uncut(camera, media), shape.aspect);
+  const ViewVolume before(uncut(placed.camera(), media), shape.aspect);
   mediaView = before.bounds();
   for (AnalysedMedium& medium : media) medium.visible = before.mayShow(medium.box);
 }
@@ -253,10 +259,10 @@ Effects analyseView(const Analysis& a) {
 Effects analyse(const Scene& scene, double aspect, double rows) {
   const SceneTraits traits(scene);
   const Analysis::Shape shape = {aspect, rows};
-  if (scene.path.empty()) return analyseView(Analysis(scene, traits, scene.camera(), shape));
+  if (scene.path.empty()) return analyseView(Analysis(scene, traits, shape));
   std::vector<Effects> steps;
-  for (const Camera& camera : scene.path)
-    steps.push_back(analyseView(Analysis(scene, traits, camera, shape)));
+  for (uint32_t k = 0; k < scene.path.size(); ++k)
+    steps.push_back(analyseView(Analysis(PlacedScene(scene, k), traits, shape)));
   return uniteSteps(std::move(steps));
 }
 

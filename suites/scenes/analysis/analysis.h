@@ -10,8 +10,8 @@
 
 namespace sb {
 
-/// Analyses `scene` for pictures of `aspect` = width / height through its first camera, or through
-/// all cameras of its path. `rows` of the picture: what is much narrower than one is not called for;
+/// Analyses `scene` for pictures of `aspect` = width / height through its first camera, at all
+/// steps of its path. `rows` of the picture: what is much narrower than one is not called for;
 /// without it nothing is too narrow.
 Effects analyse(const Scene& scene, double aspect,
                 double rows = std::numeric_limits<double>::infinity());

@@ -27,7 +27,7 @@ Bounds receiverBounds(const Analysis& analysis, const LightReach& reach) {
 LightEffects analyseLight(const Analysis& analysis, uint32_t index) {
   LightEffects light;
   light.light = index;
-  const LightReach reach(analysis.scene.lights[index], analysis.eye);
+  const LightReach reach(analysis.placed.light(index), analysis.eye);
   const Bounds receivers = receiverBounds(analysis, reach);
   light.touchesView = !receivers.empty();
   if (!light.touchesView) return light;

@@ -36,10 +36,9 @@ Overlap directionalOverlap(const Analysis& analysis, const LightReach& reach,
   std::vector<Item> items;
   Bounds all;
   const auto add = [&](uint32_t i) {
-    const Instance& instance = analysis.scene.instances[i];
-    const Mesh& mesh = analysis.scene.meshes[instance.mesh];
+    const Mesh& mesh = analysis.scene.meshes[analysis.scene.instances[i].mesh];
     // The mesh's own box, turned into the light's frame, fits closer than the world's box.
-    glm::dmat4 toLight = instance.toWorld;
+    glm::dmat4 toLight = analysis.placed.toWorld(i);
     toLight[3] -= glm::dvec4(analysis.eye, 0);
     toLight = glm::dmat4(reach.frame()) * toLight;
     Bounds box = transformedBox(mesh.boundsMin, mesh.boundsMax, toLight);
@@ -71,7 +70,7 @@ Overlap findShadowOverlap(const Analysis& analysis, const LightEffects& light) {
   const std::vector<uint32_t>& casters = light.translucentCasters;
   for (const uint32_t i : casters)
     if (receives(i) && !analysis.instances[i].flat) return {i, i};
-  const LightReach reach(analysis.scene.lights[light.light], analysis.eye);
+  const LightReach reach(analysis.placed.light(light.light), analysis.eye);
   if (reach.directional()) return directionalOverlap(analysis, reach, casters, receives);
   for (uint32_t r = 0; r < analysis.instances.size(); ++r) {
     if (!receives(r) || !reach.mayLight(analysis.instances[r].box)) continue;

@@ -8,6 +8,7 @@
 #include "techniques/plan/effects.h"
 #include "techniques/scene/mesh_shape.h"
 #include "techniques/scene/optics.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 
@@ -30,7 +31,7 @@ struct AnalysedMedium {
   bool scatters = false;
 };
 
-/// What does not depend on the camera.
+/// What does not depend on where anything is.
 struct SceneTraits {
   explicit SceneTraits(const Scene& scene);
   std::vector<MaterialTraits> materials;
@@ -42,7 +43,8 @@ struct Analysis {
     double aspect;
     double rows;
   };
-  Analysis(const Scene& s, const SceneTraits& traits, const Camera& camera, Shape shape);
+  Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape);
+  PlacedScene placed;
   const Scene& scene;
   glm::dvec3 eye;
   ViewVolume view;
@@ -52,7 +54,7 @@ struct Analysis {
   Bounds mediaView;  ///< around what of media is before the camera
 };
 
-/// What the scene calls for through one camera.
+/// What the scene calls for at one step.
 Effects analyseView(const Analysis& analysis);
 /// What a path calls for, of the analyses of its steps.
 Effects uniteSteps(std::vector<Effects> steps);

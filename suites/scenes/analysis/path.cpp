@@ -1,4 +1,4 @@
-// A camera in motion calls for whatever any step of its path calls for.
+// A scene that moves calls for whatever any step of its path calls for.
 #include <algorithm>
 
 #include "suites/scenes/analysis/parts.h"

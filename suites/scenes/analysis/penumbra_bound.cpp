@@ -28,7 +28,7 @@ double spread(double h, double t, double a) {
 class Distances {
  public:
   Distances(const Analysis& analysis, const LightEffects& effects)
-      : m_light(analysis.scene.lights[effects.light]),
+      : m_light(analysis.placed.light(effects.light)),
         m_reach(m_light, analysis.eye),
         m_position(m_light.position - analysis.eye) {
     for (const auto* list :
@@ -84,7 +84,7 @@ class Distances {
 }  // namespace
 
 double penumbraBound(const Analysis& analysis, const LightEffects& light) {
-  if (!isAreaLight(analysis.scene.lights[light.light]) || !(light.casts() || !light.media.empty()))
+  if (!isAreaLight(analysis.placed.light(light.light)) || !(light.casts() || !light.media.empty()))
     return 0;
   const Distances distances(analysis, light);
   double widest = 0;

@@ -5,10 +5,10 @@
 
 namespace sb {
 
-/// `steps` (two at least) cameras that arrive at `end`, the last of them exactly: the eye comes
-/// from `end - move` on a straight line at constant speed, while the camera turns evenly about its
-/// own up axis by `turnDegrees` (counterclockwise as seen from above). All share the lens of `end`.
-std::vector<Camera> cameraPath(const Camera& end, const glm::dvec3& move, double turnDegrees,
-                               uint32_t steps);
+/// `steps` (two at least) frames of a camera that arrive at `end`, the last of them exactly: the
+/// eye comes from `end - move` on a straight line at constant speed, while the camera turns evenly
+/// about its own up axis by `turnDegrees` (counterclockwise as seen from above).
+std::vector<glm::dmat4> cameraPath(const glm::dmat4& end, const glm::dvec3& move,
+                                   double turnDegrees, uint32_t steps);
 
 }  // namespace sb

@@ -12,6 +12,7 @@
 #include "suites/scenes/edit/camera_path.h"
 #include "suites/scenes/edit/framing.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
@@ -66,17 +67,15 @@ void editSun(Scene& scene, const SceneEdit& edit) {
   if (std::erase(scene.warnings, kLightAdded) > 0) scene.sky = glm::vec3(0);
 }
 
-void editMotion(Scene& scene, const SceneEdit& edit) {
-  const glm::dvec3 move = vectorOf(*edit.find("move"));
+void editMotion(Scene& scene, const SceneEdit& edit, uint32_t steps) {
+  const auto* way = edit.find("move");
   const auto* turn = edit.find("turn");
-  const auto* steps = edit.find("steps");
-  const double degrees = turn ? (*turn)[0] : 0, count = steps ? (*steps)[0] : 8;
+  if (!way && !turn) return;  // something else moves
+  const glm::dvec3 move = way ? vectorOf(*way) : glm::dvec3(0);
+  const double degrees = turn ? (*turn)[0] : 0;
   if (move == glm::dvec3(0) && degrees == 0)
     throw InputError(edit.where(), "the camera neither moves nor turns");
-  if (count != std::floor(count))
-    throw InputError(edit.where(),
-                     "steps holds '" + base::numberText(count) + "', expected a whole number");
-  scene.path = cameraPath(scene.camera(), move, degrees, uint32_t(count));
+  moveCamera(scene, cameraPath(scene.camera().toWorld, move, degrees, steps));
 }
 
 void editMaterials(Scene& scene, const SceneEdit& edit) {
@@ -97,13 +96,34 @@ void editMaterials(Scene& scene, const SceneEdit& edit) {
 
 }  // namespace
 
-GltfOptions fileOptions(const std::vector<SceneEdit>& edits, bool isFile) {
-  GltfOptions options;
+uint32_t motionSteps(const std::vector<SceneEdit>& edits) {
+  double steps = 8;
   for (const SceneEdit& edit : edits) {
-    if (edit.target != "file") continue;
+    const auto* given = edit.target == "motion" ? edit.find("steps") : nullptr;
+    if (given) steps = (*given)[0];
+    if (steps != std::floor(steps))
+      throw InputError(edit.where(),
+                       "steps holds '" + base::numberText(steps) + "', expected a whole number");
+  }
+  return uint32_t(steps);
+}
+
+void requireMotion(const Scene& scene, const std::vector<SceneEdit>& edits) {
+  for (const SceneEdit& edit : edits)
+    if (edit.target == "motion" && scene.path.empty())
+      throw InputError(edit.where(), "lacks move or turn: nothing else in the scene moves");
+}
+
+GltfOptions fileOptions(const std::vector<SceneEdit>& edits, bool isFile) {
+  GltfOptions options{.scene = {}, .animation = {}, .steps = motionSteps(edits)};
+  for (const SceneEdit& edit : edits) {
+    if (edit.target != "file" && edit.target != "motion") continue;
     if (!edit.names.empty()) {
       if (!isFile) throw InputError(edit.where(), "is of glTF files, but the scene is none");
-      options.scene = edit.name();
+      if (edit.target == "file")
+        options.scene = edit.name();
+      else
+        options.animation = edit.name();
     }
     if (const auto* outside = edit.find("outside")) options.allowOutside = (*outside)[0] != 0;
   }
@@ -127,7 +147,7 @@ void applyEdits(Scene& scene, const std::vector<SceneEdit>& edits) {
   }
   // The way leads to where the camera stands in the end, wherever the edit stands in the list.
   for (const SceneEdit& edit : edits)
-    if (edit.target == "motion") editMotion(scene, edit);
+    if (edit.target == "motion") editMotion(scene, edit, motionSteps(edits));
 }
 
 }  // namespace sb

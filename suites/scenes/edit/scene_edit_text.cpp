@@ -23,8 +23,10 @@ const std::vector<Key>& keysOf(const std::string& target, std::string_view first
       {"eye", 3, -1e9, 1e9, true}, {"at", 3, -1e9, 1e9, true}, {"fov", 1, 1, 170, false}};
   static const std::vector<Key> kSun = {{"direction", 3, -1e9, 1e9, true},
                                         {"lux", 1, 0, 1e9, false}};
-  static const std::vector<Key> kMotion = {
-      {"move", 3, -1e9, 1e9, true}, {"turn", 1, -360, 360, false}, {"steps", 1, 2, 64, false}};
+  static const std::vector<Key> kMotion = {{"move", 3, -1e9, 1e9, false},
+                                           {"turn", 1, -360, 360, false},
+                                           {"steps", 1, 2, 64, false},
+                                           {"animation", 0, 0, 0, false, true}};
   static const std::vector<Key> kShownCamera = {{"show", 0, 0, 0, true, true}};
   static const std::vector<Key> kGround = {{"size", 1, 1e-3, 1e6, true}};
   static const std::vector<Key> kFile = {{"scene", 0, 0, 0, false, true},
@@ -76,7 +78,7 @@ const EditOption& optionOf(const std::string& text) {
       {"camera:show=", "--camera", "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]"},
       {"camera:", "--camera", "NAME, INDEX or eye=X,Y,Z,at=X,Y,Z[,fov=DEG]"},
       {"sun:", "--sun", "direction=X,Y,Z[,lux=E]"},
-      {"motion:", "--motion", "move=X,Y,Z[,turn=DEG][,steps=N]"},
+      {"motion:", "--motion", "[move=X,Y,Z][,turn=DEG][,animation=NAME|INDEX][,steps=N]"},
       {"file:scene=", "--gltf-scene", "NAME or INDEX"},
       {"file:outside=", "--allow-outside", "no value"},
       {"ground:", "--ground", "no value"},

@@ -55,9 +55,13 @@ void translateScene(Scene& scene, glm::dvec3 offset) {
   const auto move = [&](glm::dmat4& m) { m[3] += glm::dvec4(offset, 0); };
   for (Instance& instance : scene.instances) move(instance.toWorld);
   for (Medium& medium : scene.media) move(medium.boxToWorld);
-  for (auto* cameras : {&scene.cameras, &scene.path})
-    for (Camera& camera : *cameras) move(camera.toWorld);
+  for (Camera& camera : scene.cameras) move(camera.toWorld);
   for (Light& light : scene.lights) light.position += offset;
+  for (SceneState& step : scene.path) {
+    for (auto* list : {&step.cameras, &step.instances})
+      for (glm::dmat4& toWorld : *list) move(toWorld);
+    for (LightPose& pose : step.lights) pose.position += offset;
+  }
 }
 
 void scaleScene(Scene& scene, double factor) {
@@ -70,19 +74,29 @@ void scaleScene(Scene& scene, double factor) {
     scaleAll(medium.boxToWorld);
     medium.extinction /= float(factor);
   }
-  for (auto* cameras : {&scene.cameras, &scene.path})
-    for (Camera& camera : *cameras) {
-      for (int row = 0; row < 3; ++row) camera.toWorld[3][row] *= factor;  // its frame stays rigid
-      camera.nearPlane *= factor;
-      camera.farPlane *= factor;
-      camera.halfHeight *= factor;
-    }
+  const auto scalePlace = [&](glm::dmat4& m) {  // a camera's frame stays rigid
+    for (int row = 0; row < 3; ++row) m[3][row] *= factor;
+  };
+  for (Camera& camera : scene.cameras) {
+    scalePlace(camera.toWorld);
+    camera.nearPlane *= factor;
+    camera.farPlane *= factor;
+    camera.halfHeight *= factor;
+  }
   for (Light& light : scene.lights) {
     light.position *= factor;
     if (light.type == LightType::Directional) continue;  // its radius is an angle
     light.range *= factor;
     light.halfAxes *= factor;
     light.intensity *= float(factor * factor);
+  }
+  for (SceneState& step : scene.path) {
+    for (glm::dmat4& toWorld : step.cameras) scalePlace(toWorld);
+    for (glm::dmat4& toWorld : step.instances) scaleAll(toWorld);
+    for (LightPose& pose : step.lights) {
+      pose.position *= factor;
+      pose.halfAxes *= factor;
+    }
   }
   for (Material& material : scene.materials) {
     material.thickness *= float(factor);

@@ -6,7 +6,7 @@
 
 namespace sb {
 
-/// G1: moves everything - instances, lights, media, cameras - by `offset`.
+/// G1: moves everything - instances, lights, media, cameras, at every step - by `offset`.
 void translateScene(Scene& scene, glm::dvec3 offset);
 /// G2: scales the world about its origin by `factor` > 0: instances, cameras with near and far,
 /// lights with range and shape, media (extinction divided) and thicknesses. The intensity of point

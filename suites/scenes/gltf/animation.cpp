@@ -1,24 +1,22 @@
-// Animations at t = 0: of the first one, each channel's first key. Keys begin at 0 or later and a
-// sampler clamps before its first key, so interpolation never matters.
+// Which animation counts, and where it puts nodes at t = 0: each channel's first key. Keys begin at
+// 0 or later and a sampler clamps before its first key, so interpolation never matters.
+#include "suites/scenes/gltf/animation.h"
+
+#include <limits>
+
+#include "base/number.h"
 #include "suites/scenes/gltf/check.h"
 #include "suites/scenes/gltf/context.h"
+#include "techniques/plan/error.h"
 
 namespace sb {
 namespace {
 
 using nlohmann::json;
 
-const json& member(const GltfContext& context, const json& object, const std::string& field,
-                   const char* key) {
-  if (!object.is_object()) context.fail(field, "is " + shown(object) + ", expected an object");
-  const auto found = object.find(key);
-  if (found == object.end()) context.fail(field + "." + key, "is missing");
-  return *found;
-}
-
 const json& array(const GltfContext& context, const json& object, const std::string& field,
                   const char* key) {
-  const json& found = member(context, object, field, key);
+  const json& found = memberOf(context, object, field, key);
   if (!found.is_array())
     context.fail(field + "." + key, "is " + shown(found) + ", expected an array");
   return found;
@@ -33,7 +31,7 @@ std::string text(const json& object, const char* key, const char* fallback) {
 std::vector<double> firstKey(const GltfContext& context, const json& sampler,
                              const std::string& field, int components, size_t elements) {
   const std::string outputField = field + ".output";
-  const int output = int(checkedIndex(context.source, member(context, sampler, field, "output"),
+  const int output = int(checkedIndex(context.source, memberOf(context, sampler, field, "output"),
                                       outputField, "accessors"));
   if (const int found = componentCount(context, outputField, output); found != components)
     context.fail(outputField, "has " + std::to_string(found) + " components, expected " +
@@ -57,58 +55,112 @@ size_t morphTargets(const GltfContext& context, const json& node) {
   return primitives[0]["targets"].size();
 }
 
-void readChannel(GltfContext& context, const json& animation, const std::string& field,
-                 const json& channel, const std::string& channelField) {
-  const json& target = member(context, channel, channelField, "target");
-  const std::string targetField = channelField + ".target";
-  if (!target.is_object())
-    context.fail(targetField, "is " + shown(target) + ", expected an object");
-  if (!target.contains("node")) return;  // extensions animate other things
-  const size_t node = checkedIndex(context.source, target["node"], targetField + ".node", "nodes");
-  const std::string path = text(target, "path", "");
+void readFirstKey(GltfContext& context, const AnimationChannel& channel) {
+  NodePose& pose = context.poses[int(channel.node)];
+  const auto first = [&](int components, size_t elements) {
+    return firstKey(context, channel.sampler, channel.samplerField, components, elements);
+  };
+  if (channel.path == "translation")
+    pose.translation = first(3, 1);
+  else if (channel.path == "rotation")
+    pose.rotation = first(4, 1);
+  else if (channel.path == "scale")
+    pose.scale = first(3, 1);
+  else if (channel.path == "weights") {
+    const size_t count = morphTargets(context, context.source.json["nodes"][channel.node]);
+    if (count > 0) pose.weights = first(1, count);
+  } else {
+    context.warn(channel.targetField + ".path is " + shown(channel.path) + ", which is left out");
+  }
+}
 
+/// Of the animation that plays, else the first. The file has one at least.
+size_t chosenAnimation(const GltfContext& context) {
+  const std::optional<std::string>& wanted = context.source.options.animation;
+  if (!wanted) return 0;
+  const json& all = context.source.list("animations");
+  std::vector<std::string> names;
+  for (size_t i = 0; i < all.size(); ++i) {
+    names.push_back(text(all[i], "name", ""));
+    if (names.back() == *wanted) return i;
+  }
+  const auto index = base::readWhole(*wanted, 0, std::numeric_limits<uint32_t>::max());
+  if (index && *index < all.size()) return size_t(*index);
+  context.fail("animations", (index ? "there is no number " + *wanted
+                                    : unknownName("animation", *wanted, names)) +
+                                 " (--motion), the file holds " + std::to_string(all.size()));
+}
+
+AnimationChannel channelOf(const GltfContext& context, const json& animation,
+                           const std::string& field, const json& channel,
+                           const std::string& channelField, const json& target) {
+  const std::string targetField = channelField + ".target";
+  AnimationChannel out{
+      .node = checkedIndex(context.source, target["node"], targetField + ".node", "nodes"),
+      .path = text(target, "path", ""),
+      .sampler = {}};
   const json& samplers = array(context, animation, field, "samplers");
-  const json& number = member(context, channel, channelField, "sampler");
+  const json& number = memberOf(context, channel, channelField, "sampler");
   if (!number.is_number_unsigned() || number.get<size_t>() >= samplers.size())
     context.fail(channelField + ".sampler", "is " + shown(number) + ", but there are " +
                                                 std::to_string(samplers.size()) + " samplers");
-  const json& sampler = samplers[number.get<size_t>()];
-  const std::string samplerField = fieldAt(field + ".samplers", number.get<size_t>());
-  if (!sampler.is_object())
-    context.fail(samplerField, "is " + shown(sampler) + ", expected an object");
-
-  NodePose& pose = context.poses[int(node)];
-  if (path == "translation")
-    pose.translation = firstKey(context, sampler, samplerField, 3, 1);
-  else if (path == "rotation")
-    pose.rotation = firstKey(context, sampler, samplerField, 4, 1);
-  else if (path == "scale")
-    pose.scale = firstKey(context, sampler, samplerField, 3, 1);
-  else if (path == "weights") {
-    const size_t count = morphTargets(context, context.source.json["nodes"][node]);
-    if (count > 0) pose.weights = firstKey(context, sampler, samplerField, 1, count);
-  } else {
-    context.warn(targetField + ".path is " + shown(path) + ", which is left out");
-  }
+  out.sampler = samplers[number.get<size_t>()];
+  out.samplerField = fieldAt(field + ".samplers", number.get<size_t>());
+  out.targetField = targetField;
+  if (!out.sampler.is_object())
+    context.fail(out.samplerField, "is " + shown(out.sampler) + ", expected an object");
+  return out;
 }
 
 }  // namespace
 
+const json& memberOf(const GltfContext& context, const json& object, const std::string& field,
+                     const char* key) {
+  if (!object.is_object()) context.fail(field, "is " + shown(object) + ", expected an object");
+  const auto found = object.find(key);
+  if (found == object.end()) context.fail(field + "." + key, "is missing");
+  return *found;
+}
+
+std::vector<AnimationChannel> animationChannels(const GltfContext& context) {
+  const auto animations = context.source.json.find("animations");
+  const bool none =
+      animations == context.source.json.end() || !animations->is_array() || animations->empty();
+  if (none && context.source.options.animation)
+    context.fail("animations", "are missing, but one is to play (--motion)");
+  if (none) return {};
+  const size_t chosen = chosenAnimation(context);
+  const json& animation = (*animations)[chosen];
+  const std::string field = fieldAt("animations", chosen);
+  const json& channels = array(context, animation, field, "channels");
+  std::vector<AnimationChannel> out;
+  for (size_t i = 0; i < channels.size(); ++i) {
+    const std::string channelField = fieldAt(field + ".channels", i);
+    const json& target = memberOf(context, channels[i], channelField, "target");
+    if (!target.is_object())
+      context.fail(channelField + ".target", "is " + shown(target) + ", expected an object");
+    // Extensions animate other things.
+    if (target.contains("node"))
+      out.push_back(channelOf(context, animation, field, channels[i], channelField, target));
+  }
+  return out;
+}
+
 void readPoses(GltfContext& context) {
+  const std::vector<AnimationChannel> channels = animationChannels(context);
   const auto animations = context.source.json.find("animations");
   if (animations == context.source.json.end() || !animations->is_array() || animations->empty())
     return;
-  const json& animation = (*animations)[0];
-  const std::string field = "animations[0]";
-  const json& channels = array(context, animation, field, "channels");
-  const std::string name = text(animation, "name", "");
-  const std::string called = field + (name.empty() ? "" : " '" + name + "'");
+  const size_t chosen = chosenAnimation(context);
+  const std::string name = text((*animations)[chosen], "name", "");
+  const std::string called =
+      fieldAt("animations", chosen) + (name.empty() ? "" : " '" + name + "'");
+  const std::optional<std::string>& plays = context.source.options.animation;
   context.warn((animations->size() > 1
                     ? "the file holds " + std::to_string(animations->size()) + " animations; "
                     : std::string()) +
-               called + " is shown at t = 0");
-  for (size_t i = 0; i < channels.size(); ++i)
-    readChannel(context, animation, field, channels[i], fieldAt(field + ".channels", i));
+               called + (plays ? " plays, from t = 0 to its last key" : " is shown at t = 0"));
+  for (const AnimationChannel& channel : channels) readFirstKey(context, channel);
 }
 
 }  // namespace sb

@@ -14,6 +14,15 @@
 
 namespace sb {
 
+constexpr size_t kNoNode = size_t(-1);
+
+/// Which node each thing of the scene hangs on, in the scene's order.
+struct Followers {
+  /// With its place relative to the node; kNoNode: it stands, whatever moves.
+  std::vector<std::pair<size_t, glm::dmat4>> instances;
+  std::vector<size_t> lights, cameras;
+};
+
 struct GltfContext {
   GltfSource& source;
   const tinygltf::Model& model;
@@ -23,9 +32,10 @@ struct GltfContext {
   size_t degenerate = 0;       ///< triangles dropped
   size_t repairedNormals = 0;  ///< normals of no length, replaced
   size_t pixels = 0;           ///< of all images, against kMaxImagePixels
-  std::map<int, NodePose> poses;  ///< of animated nodes
+  std::map<int, NodePose> poses = {};  ///< of animated nodes
   /// Scene meshes of each glTF mesh, one per primitive that draws triangles.
-  std::vector<std::vector<uint32_t>> meshes;
+  std::vector<std::vector<uint32_t>> meshes = {};
+  Followers followers = {};
 
   [[noreturn]] void fail(const std::string& field, const std::string& what) const {
     source.fail(field, what);
@@ -42,11 +52,12 @@ inline std::string fieldAt(const std::string& key, size_t i) {
 tinygltf::Model parseModel(const GltfSource& source);
 
 // One step each, in this order.
-void readPoses(GltfContext& context);  ///< the first animation at t = 0
+void readPoses(GltfContext& context);  ///< the animation at t = 0
 void readImages(GltfContext& context);
 void readMaterials(GltfContext& context);
 void readMeshes(GltfContext& context);
 void readNodes(GltfContext& context);  ///< instances, lights, cameras, media
+void playAnimation(GltfContext& context);  ///< the scene's path, where one is to play
 
 /// Textures as TextureSlot: texture.cpp.
 TextureSlot readTextureSlot(GltfContext& context, const std::string& field, int texture,

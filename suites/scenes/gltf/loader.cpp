@@ -47,12 +47,13 @@ Scene loadGltf(const std::filesystem::path& path, const GltfOptions& options) tr
   Scene scene;
   scene.name = path.stem().string();
   scene.background = kNeutralBackground;
-  GltfContext context{.source = source, .model = model, .scene = scene, .poses = {}, .meshes = {}};
+  GltfContext context{.source = source, .model = model, .scene = scene};
   readPoses(context);
   readImages(context);
   readMaterials(context);
   readMeshes(context);
   readNodes(context);
+  playAnimation(context);
   complete(context);
   scene.warnings = std::move(source.warnings);
   cleanNames(scene);

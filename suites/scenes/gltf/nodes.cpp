@@ -13,6 +13,8 @@ namespace {
 struct Shape {
   std::vector<uint32_t> parts;
   glm::dmat4 toWorld;
+  size_t node = kNoNode;             ///< that it follows
+  glm::dmat4 place = glm::dmat4(1);  ///< relative to it
 };
 
 void addInstances(GltfContext& context, const std::string& field, const std::string& name,
@@ -29,9 +31,8 @@ void addInstances(GltfContext& context, const std::string& field, const std::str
                               " that are read");
     const uint32_t key = uint32_t(scene.instances.size());
     scene.instances.push_back({name, variants.get(part, shape.toWorld), shape.toWorld, key});
-    const Bounds box = instanceBox(scene, scene.instances.back());
-    if (!(glm::length(box.low) < 1e18 && glm::length(box.high) < 1e18))
-      context.fail(field, "shows a mesh beyond 1e18 world units from the origin, expected less");
+    context.followers.instances.emplace_back(shape.node, shape.place);
+    checkReach(context, field, scene.meshes[scene.instances.back().mesh], shape.toWorld);
   }
 }
 
@@ -52,11 +53,14 @@ std::map<size_t, Shape> bentShapes(GltfContext& context, NodeTree& tree,
     if (!deform.skinned() && deform.weights == meshWeights(context, mesh)) continue;
     const auto [found, added] = made.try_emplace({mesh, deform.skin, deform.weights});
     if (added) found->second = readBentMeshes(context, mesh, deform);
-    Shape shape{found->second, tree.toWorld(index)};
+    Shape shape{found->second, tree.toWorld(index), index};
     // A skin says where vertices are in the world: the node's own place has no say.
     if (deform.skinned()) {
       shape.toWorld = glm::dmat4(1);
       shape.toWorld[3] = glm::dvec4(deform.origin, 1);
+      shape.node = kNoNode;
+      if (context.source.options.animation)
+        context.warn("skinned meshes keep the shape and place that they have at t = 0");
     }
     shapes[index] = std::move(shape);
   }
@@ -70,7 +74,7 @@ void addMesh(GltfContext& context, NodeTree& tree, size_t index,
   const auto found = bent.find(index);
   const Shape shape = found != bent.end()
                           ? found->second
-                          : Shape{context.meshes[size_t(node.mesh)], tree.toWorld(index)};
+                          : Shape{context.meshes[size_t(node.mesh)], tree.toWorld(index), index};
   if (!node.extensions.contains("EXT_mesh_gpu_instancing"))
     return addInstances(context, field, name, shape, variants);
   const std::vector<glm::dmat4> places = gpuInstances(context, index);
@@ -80,11 +84,19 @@ void addMesh(GltfContext& context, NodeTree& tree, size_t index,
       context.fail(
           field + ".extensions.EXT_mesh_gpu_instancing",
           "instance " + std::to_string(i) + " overflows, expected numbers of at most 1e18");
-    addInstances(context, field, fieldAt(name, i), {shape.parts, toWorld}, variants);
+    addInstances(context, field, fieldAt(name, i), {shape.parts, toWorld, shape.node, places[i]},
+                 variants);
   }
 }
 
 }  // namespace
+
+void checkReach(GltfContext& context, const std::string& field, const Mesh& mesh,
+                const glm::dmat4& toWorld) {
+  const Bounds box = transformedBox(mesh.boundsMin, mesh.boundsMax, toWorld);
+  if (!(glm::length(box.low) < 1e18 && glm::length(box.high) < 1e18))
+    context.fail(field, "shows a mesh beyond 1e18 world units from the origin, expected less");
+}
 
 void readNodes(GltfContext& context) {
   NodeTree tree(context);
@@ -96,10 +108,12 @@ void readNodes(GltfContext& context) {
     const std::string field = fieldAt("nodes", index);
     const glm::dmat4& toWorld = tree.toWorld(index);
     if (node.camera >= 0) addCamera(context, field, node.camera, toWorld);
+    context.followers.cameras.resize(context.scene.cameras.size(), index);
     if (hidden) continue;
     if (node.mesh >= 0) addMesh(context, tree, index, bent, variants);
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) addLight(context, field, light->second, toWorld);
+    context.followers.lights.resize(context.scene.lights.size(), index);
     const size_t media = context.scene.media.size();
     readMediumExtras(context, field, node.extras, toWorld);
     if (context.scene.media.size() > media) context.scene.media.back().name = nameOf(node, index);

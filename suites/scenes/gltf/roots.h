@@ -45,6 +45,9 @@ std::vector<glm::dmat4> gpuInstances(GltfContext& context, size_t node);
 glm::dmat4 composed(GltfContext& context, const std::string& field, const double* translation,
                     const double* rotation, const double* scale);
 bool finite(const glm::dmat4& m);
+/// Fails where a mesh would reach too far for floats.
+void checkReach(GltfContext& context, const std::string& field, const Mesh& mesh,
+                const glm::dmat4& toWorld);
 /// Does it take away all volume?
 bool flattens(const glm::dmat4& toWorld);
 

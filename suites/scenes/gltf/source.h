@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -34,6 +35,9 @@ constexpr size_t kBytesPerByte = 128;
 struct GltfOptions {
   std::string scene;          ///< name or index of the glTF scene; "": the file's default
   bool allowOutside = false;  ///< uris may name files outside the glTF file's folder
+  /// Name or index of the animation that plays; nothing: the first one is shown at t = 0.
+  std::optional<std::string> animation;
+  uint32_t steps = 8;  ///< frames in which it plays, two at least
 };
 
 struct GltfSource {

@@ -93,6 +93,15 @@ Material paneMaterial(std::string name, glm::vec3 colour, float alpha) {
   return m;
 }
 
+SceneParam circlingParam() {
+  return {.name = "circling",
+          .unit = "degrees",
+          .fallback = 0,
+          .low = 0,
+          .high = 360,
+          .help = "how far the lights go round the scene in a loop of frames (--motion steps=N)"};
+}
+
 SceneParam sunRadiusParam() {
   return {.name = "sun",
           .unit = "degrees",

@@ -7,17 +7,24 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
+#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/scene_edit.h"
+#include "suites/scenes/edit/world_path.h"
 #include "suites/scenes/gltf/loader.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
 
 const std::vector<ProceduralScene>& registry() {
-  static const std::vector<ProceduralScene> kScenes = {
-      layers(), panes(), penumbra(), spheresQuads(), teapot(), roseWindow(), fog()};
+  static const std::vector<ProceduralScene> kScenes = [] {
+    std::vector<ProceduralScene> scenes = {layers(), panes(),      penumbra(), spheresQuads(),
+                                           teapot(), roseWindow(), fog()};
+    for (ProceduralScene& scene : scenes) scene.info.params.push_back(circlingParam());
+    return scenes;
+  }();
   return kScenes;
 }
 
@@ -132,6 +139,13 @@ std::string canonical(const Parsed& parsed) {
   return spec;
 }
 
+void moveWorld(Scene& scene, const Parsed& parsed, uint32_t steps) {
+  if (parsed.scene->move) parsed.scene->move(scene, parsed.values, steps);
+  const double degrees = parsed.values.at("circling");
+  for (uint32_t l = 0; degrees > 0 && l < scene.lights.size(); ++l)
+    moveLight(scene, l, lightCircle(scene.lights[l], sceneBox(scene).center(), degrees, steps));
+}
+
 }  // namespace
 
 std::string SceneParam::fallbackText() const { return valueText(*this, fallback); }
@@ -149,12 +163,15 @@ Scene makeScene(std::string_view spec) {
   const GltfOptions options = fileOptions(edits, file);
   if (file) {
     scene = loadGltf(base, options);
+    applyEdits(scene, edits);
   } else {
     const Parsed parsed = parseSpec(base);
     scene = parsed.scene->make(parsed.values);
     scene.name = canonical(parsed);
+    applyEdits(scene, edits);
+    moveWorld(scene, parsed, options.steps);
   }
-  applyEdits(scene, edits);
+  requireMotion(scene, edits);
   if (scene.cameras.size() > 1 && scene.camera().name != "edit")
     scene.warnings.push_back("the scene holds " + std::to_string(scene.cameras.size()) +
                              " cameras; the picture shows '" + scene.camera().name +

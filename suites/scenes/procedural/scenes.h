@@ -13,6 +13,8 @@ using ParamValues = std::map<std::string, double, std::less<>>;
 struct ProceduralScene {
   SceneInfo info;
   Scene (*make)(const ParamValues&);
+  /// Gives what moves its places in so many steps; null: nothing but its lights does.
+  void (*move)(Scene&, const ParamValues&, uint32_t steps) = nullptr;
 };
 
 ProceduralScene spheresQuads();
@@ -37,6 +39,8 @@ Light sunLight(glm::dvec3 direction, double angularRadius);
 Material matteMaterial(std::string name, glm::vec3 colour);
 /// alphaMode BLEND, double-sided, matte.
 Material paneMaterial(std::string name, glm::vec3 colour, float alpha);
+/// The parameter that every scene has: how far its lights go round.
+SceneParam circlingParam();
 /// The parameter every scene with a directional light has.
 SceneParam sunRadiusParam();
 /// Adds those of a scene whose light may be a lamp: the sun's radius, the lamp's shape and size.

@@ -1,11 +1,15 @@
 // Modisett 2023, section 5.1: 1000 opaque grey spheres at random places, and 0..2000 blue
 // translucent quads in a region that overlaps theirs and reaches further toward one white
 // directional light. Cost grows with `quads`; the spheres are the same for every count.
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "suites/scenes/edit/framing.h"
+#include "suites/scenes/edit/world_path.h"
 #include "suites/scenes/procedural/random.h"
 #include "suites/scenes/procedural/scenes.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
@@ -87,6 +91,26 @@ Scene make(const ParamValues& p) {
   return scene;
 }
 
+// Some of the spheres and quads, drawn without their order mattering, go round circles of their
+// own.
+void move(Scene& scene, const ParamValues& p, uint32_t steps) {
+  Pcg random(uint64_t(p.find("seed")->second), 3);
+  std::vector<uint32_t> rest(scene.instances.size());
+  std::iota(rest.begin(), rest.end(), 0u);
+  std::erase_if(rest, [&](uint32_t i) {
+    return !scene.instances[i].name.starts_with("sphere") &&
+           !scene.instances[i].name.starts_with("quad");
+  });
+  const size_t count = std::min(rest.size(), size_t(p.find("moving")->second));
+  for (size_t n = 0; n < count; ++n) {
+    std::swap(rest[n], rest[n + random.below(uint32_t(rest.size() - n))]);
+    const glm::dmat3 frame = randomTurn(random);
+    const double radius = random.uniform(0.25, 2);
+    moveInstance(scene, rest[n],
+                 circlePath(scene.instances[rest[n]].toWorld, frame, radius, steps));
+  }
+}
+
 }  // namespace
 
 ProceduralScene spheresQuads() {
@@ -126,8 +150,16 @@ ProceduralScene spheresQuads() {
              .low = 0,
              .high = 4294967295.0,
              .whole = true,
-             .help = "of all places and turns"}}},
-          make};
+             .help = "of all places and turns"},
+            {.name = "moving",
+             .fallback = 0,
+             .low = 0,
+             .high = 22000,
+             .whole = true,
+             .help = "how many of the spheres and quads go round circles, in a loop of frames "
+                     "(--motion steps=N)"}}},
+          make,
+          move};
 }
 
 }  // namespace sb

@@ -38,7 +38,7 @@ class CompositedTranslucent final : public ShadowTechnique {
     createReceivers(context);
   }
 
-  void cameraMoved(Frame& frame) override {
+  void moved(Frame& frame) override {
     if (m_colours) m_colours->moved();
     const std::vector<glm::uvec4> table = receiverTable();
     frame.commands().write(m_receivers, 0, std::as_bytes(std::span(table)));

@@ -32,7 +32,7 @@ class TranslucentShadows final : public ShadowTechnique {
     if (m_translucent) createTranslucent(context);
   }
 
-  void cameraMoved(Frame& frame) override {
+  void moved(Frame& frame) override {
     for (LightOrder& order : m_order) order.sort(frame.commands());
   }
 

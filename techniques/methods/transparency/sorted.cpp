@@ -47,7 +47,7 @@ class Sorted final : public TransparencyTechnique {
     m_pipeline = context.pipeline(desc);
   }
 
-  void cameraMoved(Frame& frame, CameraPass& camera) override {
+  void moved(Frame& frame, CameraPass& camera) override {
     if (m_byTriangle)
       m_triangles.sort(frame.commands());
     else
