@@ -17,7 +17,10 @@ Role readRole(const Field& text);
 
 /// A list: one entry a repetition, and the aggregate that holds the record.
 Json cellToJson(const Record& record);
-/// The inverse. Throws ReadError.
+/// Those of many cells: one record for each aggregate entry; the repetitions of its name before it
+/// are its blocks. Throws ReadError.
+std::vector<Record> readRecords(const Field& entries);
+/// The inverse of cellToJson. Throws ReadError.
 Record readCell(const Field& entries);
 
 }  // namespace report

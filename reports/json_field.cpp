@@ -88,4 +88,26 @@ int Field::signedInteger() const {
   return m_value->get<int>();
 }
 
+std::string textOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? found->text() : "";
+}
+
+std::vector<std::string> textsOf(const Field& entry, const std::string& key) {
+  std::vector<std::string> out;
+  if (auto found = entry.find(key))
+    for (const Field& item : found->items()) out.push_back(item.text());
+  return out;
+}
+
+uint64_t countOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? found->integer<uint64_t>() : 0;
+}
+
+std::optional<double> numberOf(const Field& entry, const std::string& key) {
+  const auto found = entry.find(key);
+  return found ? std::optional(found->number()) : std::nullopt;
+}
+
 }  // namespace report

@@ -51,4 +51,10 @@ class Field {
   std::string m_path;  ///< "benchmarks[2].frame_ms"
 };
 
+// Values that files of older versions lack: then "", an empty list, 0, nothing.
+std::string textOf(const Field& object, const std::string& key);
+std::vector<std::string> textsOf(const Field& object, const std::string& key);
+uint64_t countOf(const Field& object, const std::string& key);
+std::optional<double> numberOf(const Field& object, const std::string& key);
+
 }  // namespace report
