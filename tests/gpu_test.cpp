@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "backends/opengl/gl_backend.h"
+#include "backends/opengl/device/gl_backend.h"
 #include "backends/rhi/validate/validator.h"
-#include "backends/vulkan/vk_backend.h"
+#include "backends/vulkan/device/vk_backend.h"
 
 namespace test_shaders {
 void addTo(rhi::ShaderLibrary& library);

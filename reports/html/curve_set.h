@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reports/html/model.h"
-#include "reports/json_error.h"
+#include "reports/json/json_error.h"
 
 namespace report {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/text.h"
-#include "reports/json_error.h"
+#include "reports/json/json_error.h"
 
 namespace report {
 

@@ -1,5 +1,5 @@
 // Depth of a fragment as layers are told apart. Triangles that lie over one another in one plane take
-// it from that plane and from their order in it (techniques/scene/coplanar_surfaces.h); all others
+// it from that plane and from their order in it (techniques/scene/geometry/coplanar_surfaces.h); all others
 // have that of the rasteriser.
 #ifndef LAYER_DEPTH
 #define LAYER_DEPTH

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <new>
 
-#include "suites/cli/commands.h"
+#include "suites/cli/commands/commands.h"
 #include "suites/cli/say.h"
 #include "techniques/plan/error.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backends/rhi/types.h"
-#include "suites/cli/options.h"
+#include "suites/cli/options/options.h"
 #include "techniques/scene/scene.h"
 
 namespace sb {

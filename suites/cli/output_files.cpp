@@ -6,7 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "reports/html/html.h"
-#include "suites/cli/commands.h"
+#include "suites/cli/commands/commands.h"
 #include "suites/cli/visibility_files.h"
 #include "techniques/plan/error.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "suites/cli/options.h"
+#include "suites/cli/options/options.h"
 #include "techniques/scene/scene.h"
 
 namespace CLI {

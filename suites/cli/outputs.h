@@ -2,7 +2,7 @@
 // the run has something to say, each by itself: one that fails costs none of the others.
 #pragma once
 
-#include "suites/cli/options.h"
+#include "suites/cli/options/options.h"
 #include "suites/harness/judge.h"
 
 namespace sb {

@@ -1,9 +1,9 @@
 // The one file that names concrete backends.
-#include "backends/opengl/gl_backend.h"
+#include "backends/opengl/device/gl_backend.h"
 #include "backends/shader/collect.h"
-#include "backends/vulkan/vk_backend.h"
+#include "backends/vulkan/device/vk_backend.h"
 #include "base/atomic_file.h"
-#include "suites/cli/commands.h"
+#include "suites/cli/commands/commands.h"
 #include "suites/cli/vector_width.h"
 #include "techniques/plan/error.h"
 

@@ -9,7 +9,7 @@
 
 #include "backends/rhi/device.h"
 #include "backends/rhi/validate/validator.h"
-#include "suites/harness/timer_trust.h"
+#include "suites/harness/checks/timer_trust.h"
 #include "techniques/render/renderer.h"
 
 namespace sb {

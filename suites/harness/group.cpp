@@ -6,12 +6,12 @@
 #include <set>
 
 #include "backends/rhi/memory_limit.h"
-#include "suites/harness/active_cell.h"
-#include "suites/harness/compare.h"
-#include "suites/harness/load_watch.h"
-#include "suites/harness/plausible.h"
+#include "suites/harness/checks/compare.h"
+#include "suites/harness/checks/load_watch.h"
+#include "suites/harness/checks/plausible.h"
+#include "suites/harness/checks/verify.h"
+#include "suites/harness/measuring/active_cell.h"
 #include "suites/harness/scene_hash.h"
-#include "suites/harness/verify.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
 

@@ -9,9 +9,9 @@
 
 #include "suites/harness/devices.h"
 #include "suites/harness/judge.h"
-#include "suites/harness/protocol.h"
-#include "suites/harness/samples.h"
-#include "suites/harness/selection.h"
+#include "suites/harness/measuring/protocol.h"
+#include "suites/harness/measuring/samples.h"
+#include "suites/harness/suite/selection.h"
 
 namespace sb {
 

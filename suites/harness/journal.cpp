@@ -10,10 +10,10 @@
 #include <fstream>
 #include <set>
 
-#include "reports/json_cell.h"
-#include "reports/json_field.h"
-#include "reports/json_read.h"
-#include "reports/json_stability.h"
+#include "reports/json/json_cell.h"
+#include "reports/json/json_field.h"
+#include "reports/json/json_read.h"
+#include "reports/json/json_stability.h"
 #include "techniques/plan/error.h"
 
 namespace sb {

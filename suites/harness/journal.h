@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "reports/record.h"
-#include "suites/harness/samples.h"
+#include "suites/harness/measuring/samples.h"
 
 namespace sb {
 

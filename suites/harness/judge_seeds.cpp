@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "reports/stats/regression.h"
-#include "suites/harness/certify.h"
+#include "suites/harness/checks/certify.h"
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
 

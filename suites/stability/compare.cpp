@@ -1,7 +1,7 @@
 // What several cases compare of probes.
 #include <algorithm>
 
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/stability/case.h"
 
 namespace sb {

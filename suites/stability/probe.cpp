@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/metrics/exposure.h"
 
 namespace sb {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/metrics/exposure.h"
 #include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/transform.h"

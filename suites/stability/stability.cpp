@@ -6,7 +6,7 @@
 #include "backends/rhi/memory_limit.h"
 #include "base/text.h"
 #include "suites/harness/cell.h"
-#include "suites/harness/selection.h"
+#include "suites/harness/suite/selection.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "techniques/plan/error.h"
 

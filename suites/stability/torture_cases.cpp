@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/shapes.h"
 #include "suites/stability/case.h"

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "shaders/common/shared_optics.h"
-#include "suites/truth/bvh.h"
+#include "suites/truth/rays/bvh.h"
 #include "techniques/scene/optics.h"
 #include "techniques/scene/scene.h"
 

@@ -6,8 +6,8 @@
 
 #include <chrono>
 
-#include "suites/truth/ray_scene.h"
-#include "suites/truth/sampler.h"
+#include "suites/truth/lights/sampler.h"
+#include "suites/truth/rays/ray_scene.h"
 
 namespace sb {
 

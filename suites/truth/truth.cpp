@@ -7,7 +7,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "suites/truth/sampler.h"
+#include "suites/truth/lights/sampler.h"
 
 namespace sb {
 namespace {

@@ -39,7 +39,7 @@ struct Truth {
   /// each pixel (MediaView::Point), alpha 1 where the light's radiance reaches it.
   std::vector<std::vector<float>> mediaVisibility;
   std::vector<std::vector<uint8_t>> mediaEdges;  ///< same index: where it jumps, as `edges`
-  /// Linear RGBA, alpha 1. What media scatter is right to a thousandth (suites/truth/media.h).
+  /// Linear RGBA, alpha 1. What media scatter is right to a thousandth (suites/truth/media/media.h).
   std::vector<float> image;
   std::vector<uint8_t> imageEdges;  ///< union of all edges
   /// Largest standard error of visibility, of any channel, pixel, layer and light; 0: exact.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "backends/rhi/device.h"
-#include "techniques/scene/concave_sides.h"
-#include "techniques/scene/coplanar_surfaces.h"
+#include "techniques/scene/geometry/concave_sides.h"
+#include "techniques/scene/geometry/coplanar_surfaces.h"
 
 namespace sb {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "techniques/draw/scene_view.h"
-#include "techniques/scene/hull2.h"
-#include "techniques/scene/mesh_shape.h"
+#include "techniques/scene/geometry/hull2.h"
+#include "techniques/scene/geometry/mesh_shape.h"
 
 namespace sb {
 

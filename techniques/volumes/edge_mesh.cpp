@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "techniques/scene/mesh_edges.h"
+#include "techniques/scene/geometry/mesh_edges.h"
 
 namespace sb {
 namespace {

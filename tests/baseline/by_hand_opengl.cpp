@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "backends/opengl/gl_context_egl.h"
-#include "backends/opengl/gl_formats.h"
-#include "backends/opengl/gl_program.h"
+#include "backends/opengl/device/gl_context_egl.h"
+#include "backends/opengl/pipeline/gl_program.h"
+#include "backends/opengl/resources/gl_formats.h"
 #include "tests/baseline/by_hand.h"
 
 namespace sb::baseline {

@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "backends/vulkan/vk_formats.h"
+#include "backends/vulkan/device/vk_formats.h"
 #include "tests/baseline/by_hand_vulkan_objects.h"
 
 namespace sb::baseline {

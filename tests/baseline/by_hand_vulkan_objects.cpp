@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "backends/vulkan/vk_enums.h"
-#include "backends/vulkan/vk_formats.h"
+#include "backends/vulkan/device/vk_enums.h"
+#include "backends/vulkan/device/vk_formats.h"
 
 namespace sb::baseline {
 namespace {

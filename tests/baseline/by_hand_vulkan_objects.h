@@ -2,8 +2,8 @@
 // its own, and a descriptor set for each pipeline of a pass.
 #pragma once
 
-#include "backends/vulkan/vk_memory.h"
-#include "backends/vulkan/vk_pipeline.h"
+#include "backends/vulkan/pipeline/vk_pipeline.h"
+#include "backends/vulkan/resources/vk_memory.h"
 #include "tests/baseline/by_hand.h"
 
 namespace sb::baseline {

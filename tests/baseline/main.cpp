@@ -8,8 +8,8 @@
 #include <ctime>
 #include <glm/gtc/packing.hpp>
 
-#include "backends/opengl/gl_backend.h"
-#include "backends/vulkan/vk_backend.h"
+#include "backends/opengl/device/gl_backend.h"
+#include "backends/vulkan/device/vk_backend.h"
 #include "suites/harness/stage.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "tests/baseline/by_hand.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "suites/scenes/gltf/export.h"
 #include "suites/scenes/gltf/loader.h"
+#include "suites/scenes/gltf/write/export.h"
 #include "techniques/plan/error.h"
 
 namespace sb::fuzz {

@@ -1,5 +1,5 @@
 // What cells of a group say about each other.
-#include "suites/harness/compare.h"
+#include "suites/harness/checks/compare.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Flags of Google Benchmark: every spelling that it documents, and nothing else.
 #include <gtest/gtest.h>
 
-#include "suites/harness/gbench.h"
+#include "suites/harness/measuring/gbench.h"
 #include "techniques/plan/error.h"
 
 namespace sb {

@@ -1,6 +1,6 @@
 // Errors of real cells against the traced truth: what must be small is, what a technique cannot show
 // is found and blamed, unbiased techniques are certified and a biased one is not.
-#include "suites/harness/certify.h"
+#include "suites/harness/checks/certify.h"
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
 #include "suites/scenes/procedural/shapes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/json_cell.h"
+#include "reports/json/json_cell.h"
 #include "suites/stability/stability.h"
 #include "techniques/plan/error.h"
 #include "techniques/render/registry.h"

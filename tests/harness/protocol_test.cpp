@@ -1,11 +1,11 @@
 // The rules of measuring without a clock.
-#include "suites/harness/protocol.h"
+#include "suites/harness/measuring/protocol.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "suites/harness/load_watch.h"
+#include "suites/harness/checks/load_watch.h"
 
 namespace sb {
 namespace {

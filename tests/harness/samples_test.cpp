@@ -1,11 +1,11 @@
 // From frames to a record.
-#include "suites/harness/samples.h"
+#include "suites/harness/measuring/samples.h"
 
 #include <gtest/gtest.h>
 
 #include "reports/stats/stats.h"
-#include "suites/harness/plausible.h"
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/plausible.h"
+#include "suites/harness/checks/verify.h"
 
 namespace sb {
 namespace {

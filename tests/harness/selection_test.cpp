@@ -1,5 +1,5 @@
 // From arguments to cells, names and groups.
-#include "suites/harness/selection.h"
+#include "suites/harness/suite/selection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Suite files: cells they name, and mistakes in them by line and field.
-#include "suites/harness/suite.h"
+#include "suites/harness/suite/suite.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // Measures, statements and tables of figures, from cells made by hand.
 #include <gtest/gtest.h>
 
-#include "reports/console_figures.h"
+#include "reports/console/console_figures.h"
 #include "reports/figures/cells.h"
 #include "reports/figures/evaluate.h"
 #include "reports/figures/measure.h"
 #include "reports/figures/table.h"
 #include "reports/html/html.h"
-#include "reports/json.h"
-#include "reports/json_read.h"
+#include "reports/json/json.h"
+#include "reports/json/json_read.h"
 
 namespace report {
 namespace {

@@ -1,12 +1,12 @@
 // Results read back: the same as written, old files, and what is said of files that are wrong.
-#include "reports/json_read.h"
+#include "reports/json/json_read.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "reports/json.h"
+#include "reports/json/json.h"
 #include "tests/reports/sample_run.h"
 
 namespace report {

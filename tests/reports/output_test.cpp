@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/console.h"
+#include "reports/console/console.h"
 #include "reports/csv.h"
-#include "reports/json.h"
+#include "reports/json/json.h"
 #include "reports/record_view.h"
 #include "tests/reports/sample_run.h"
 

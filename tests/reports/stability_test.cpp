@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "reports/console_stability.h"
-#include "reports/json.h"
-#include "reports/json_read.h"
+#include "reports/console/console_stability.h"
+#include "reports/json/json.h"
+#include "reports/json/json_read.h"
 #include "reports/stability_record.h"
 
 using namespace report;

@@ -3,7 +3,7 @@
 // against values by hand in the other tests.
 #include <gtest/gtest.h>
 
-#include "reports/console_tradeoff.h"
+#include "reports/console/console_tradeoff.h"
 #include "tests/reports/tradeoff_cells.h"
 
 namespace report {

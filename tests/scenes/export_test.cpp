@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "suites/scenes/gltf/export.h"
+#include "suites/scenes/gltf/write/export.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "tests/scenes/gltf_files.h"
 

@@ -2,8 +2,8 @@
 // and what was expected.
 #include <cmath>
 
-#include "suites/scenes/gltf/image_codec.h"
-#include "suites/scenes/gltf/source.h"
+#include "suites/scenes/gltf/source/image_codec.h"
+#include "suites/scenes/gltf/source/source.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {

@@ -1,7 +1,7 @@
 // Valid files in unusual forms become what glTF says they are.
 #include <cmath>
 
-#include "suites/scenes/gltf/image_codec.h"
+#include "suites/scenes/gltf/source/image_codec.h"
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
 #include "tests/scenes/gltf_files.h"

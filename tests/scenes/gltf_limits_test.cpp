@@ -3,8 +3,8 @@
 #include <cfloat>
 
 #include "base/text.h"
-#include "suites/scenes/gltf/export.h"
-#include "suites/scenes/gltf/image_codec.h"
+#include "suites/scenes/gltf/source/image_codec.h"
+#include "suites/scenes/gltf/write/export.h"
 #include "tests/scenes/gltf_files.h"
 #include "tests/scenes/png_bytes.h"
 

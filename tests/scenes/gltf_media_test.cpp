@@ -2,7 +2,7 @@
 // they were read.
 #include <cmath>
 
-#include "suites/scenes/gltf/export.h"
+#include "suites/scenes/gltf/write/export.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {

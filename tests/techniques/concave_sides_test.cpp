@@ -1,6 +1,6 @@
 // Which sides of triangles a mesh rises before: flat and convex ones have none, bowls one, folds of
 // both kinds both.
-#include "techniques/scene/concave_sides.h"
+#include "techniques/scene/geometry/concave_sides.h"
 
 #include <gtest/gtest.h>
 

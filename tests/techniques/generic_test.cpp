@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/gpu_cell.h"

@@ -8,7 +8,7 @@
 
 #include "techniques/partition/light_batches.h"
 #include "techniques/partition/light_levels.h"
-#include "techniques/scene/hull2.h"
+#include "techniques/scene/geometry/hull2.h"
 
 namespace sb {
 namespace {

@@ -1,7 +1,7 @@
 // Decision D5 on the committed scenes: Vulkan and OpenGL, OSMesa and EGL, one run and the next.
 // Depth and colour maps bit-identical across APIs, pictures within one step of 255 on every pixel;
 // OSMesa equal to EGL and every run equal to the last, bit by bit.
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "tests/techniques/gpu_cell.h"
 

@@ -1,5 +1,5 @@
 // No driver compiles a shader in a frame that was rendered before: the frame's time would be that
-// of the compiler, and memory would grow with each frame (backends/vulkan/vk_lavapipe_blocks.h).
+// of the compiler, and memory would grow with each frame (backends/vulkan/pipeline/vk_lavapipe_blocks.h).
 #include <fstream>
 
 #include "suites/scenes/procedural/shapes.h"

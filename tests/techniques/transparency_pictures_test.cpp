@@ -1,5 +1,5 @@
 // Transparency techniques across backends (decision D5), and every pair with a shadow technique.
-#include "suites/harness/verify.h"
+#include "suites/harness/checks/verify.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "tests/techniques/transparency_scenes.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "suites/scenes/procedural/shapes.h"
-#include "suites/truth/light_visibility.h"
+#include "suites/truth/lights/light_visibility.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

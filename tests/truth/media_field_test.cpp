@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "suites/scenes/procedural/shapes.h"
-#include "suites/truth/media.h"
+#include "suites/truth/media/media.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "suites/scenes/procedural/random.h"
-#include "suites/truth/bvh.h"
+#include "suites/truth/rays/bvh.h"
 
 namespace sb::test {
 

@@ -3,7 +3,7 @@
 // (validation 7).
 #include <gtest/gtest.h>
 
-#include "suites/truth/watertight.h"
+#include "suites/truth/rays/watertight.h"
 #include "tests/truth/ray_soup.h"
 
 namespace sb {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/truth/sampler.h"
+#include "suites/truth/lights/sampler.h"
 #include "tests/truth/ray_soup.h"
 
 namespace sb {

@@ -7,9 +7,9 @@
 
 #include "base/text.h"
 #include "suites/scenes/analysis/parts.h"
+#include "techniques/scene/geometry/mesh_shape.h"
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/medium_data.h"
-#include "techniques/scene/mesh_shape.h"
 
 namespace sb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "suites/scenes/analysis/light_reach.h"
 #include "techniques/plan/effects.h"
-#include "techniques/scene/mesh_shape.h"
+#include "techniques/scene/geometry/mesh_shape.h"
 #include "techniques/scene/optics.h"
 #include "techniques/scene/placed_scene.h"
 

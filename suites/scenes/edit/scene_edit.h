@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "suites/scenes/gltf/source.h"
+#include "suites/scenes/gltf/source/source.h"
 #include "techniques/scene/scene.h"
 
 namespace sb {

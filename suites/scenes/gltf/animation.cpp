@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/number.h"
-#include "suites/scenes/gltf/check.h"
+#include "suites/scenes/gltf/check/check.h"
 #include "suites/scenes/gltf/context.h"
 #include "techniques/plan/error.h"
 

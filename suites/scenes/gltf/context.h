@@ -9,7 +9,7 @@
 #include <string>
 
 #include "suites/scenes/gltf/animation.h"
-#include "suites/scenes/gltf/source.h"
+#include "suites/scenes/gltf/source/source.h"
 #include "techniques/scene/scene.h"
 
 namespace sb {

@@ -1,5 +1,5 @@
 // EXT_mesh_gpu_instancing: one mesh at many places, stated as attributes of a node.
-#include "suites/scenes/gltf/check.h"
+#include "suites/scenes/gltf/check/check.h"
 #include "suites/scenes/gltf/roots.h"
 
 namespace sb {

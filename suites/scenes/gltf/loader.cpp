@@ -5,9 +5,9 @@
 
 #include "base/text.h"
 #include "suites/scenes/edit/framing.h"
-#include "suites/scenes/gltf/check.h"
-#include "suites/scenes/gltf/compression.h"
+#include "suites/scenes/gltf/check/check.h"
 #include "suites/scenes/gltf/context.h"
+#include "suites/scenes/gltf/source/compression.h"
 #include "techniques/plan/error.h"
 
 namespace sb {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "suites/scenes/gltf/source.h"
+#include "suites/scenes/gltf/source/source.h"
 #include "techniques/scene/scene.h"
 
 namespace sb {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "suites/scenes/gltf/animation.h"
-#include "suites/scenes/gltf/check.h"
+#include "suites/scenes/gltf/check/check.h"
 #include "suites/scenes/gltf/roots.h"
 #include "techniques/scene/placed_scene.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "suites/scenes/edit/mesh_tools.h"
-#include "suites/scenes/gltf/check.h"
+#include "suites/scenes/gltf/check/check.h"
 #include "suites/scenes/gltf/deform.h"
 
 namespace sb {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "suites/scenes/gltf/context.h"
-#include "suites/scenes/gltf/image_codec.h"
+#include "suites/scenes/gltf/source/image_codec.h"
 
 namespace sb {
 namespace {

@@ -1,2 +1,0 @@
-#define WALKS baselineWalks
-#include "suites/truth/box_walk_kernel.h"

@@ -1,0 +1,2 @@
+#define WALKS avx2Walks
+#include "suites/truth/rays/box_walk_kernel.h"

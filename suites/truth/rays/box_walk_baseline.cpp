@@ -1,0 +1,2 @@
+#define WALKS baselineWalks
+#include "suites/truth/rays/box_walk_kernel.h"
