@@ -9,8 +9,8 @@
 
 #include "suites/harness/checks/verify.h"
 #include "suites/metrics/exposure.h"
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/transform.h"
+#include "techniques/scene/box.h"
 
 namespace sb {
 namespace {

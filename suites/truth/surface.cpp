@@ -10,7 +10,7 @@ std::vector<SurfaceTraits> surfaceTraits(const Scene& scene) {
   std::vector<SurfaceTraits> list;
   for (const Material& m : scene.materials) {
     SurfaceTraits traits{.material = materialTraits(scene, m),
-                         .data = materialData(m),
+                         .packed = materialData(m),
                          .doubleSided = m.doubleSided,
                          .masked = m.alphaMode == AlphaMode::Mask};
     traits.blocks = traits.material.lightClass == MaterialClass::Opaque;
@@ -48,7 +48,7 @@ glm::dvec4 Surface::sample(uint32_t slot) const {
 }
 
 glm::vec4 Surface::baseColor() const {
-  glm::vec4 base = m_traits.data.baseColor * glm::vec4(interpolated<4>(m_mesh.colors, glm::dvec4(1)));
+  glm::vec4 base = m_material.baseColor * glm::vec4(interpolated<4>(m_mesh.colors, glm::dvec4(1)));
   if (has(TEXTURE_BASE_COLOR)) base *= glm::vec4(sample(TEXTURE_BASE_COLOR));
   return base;
 }
@@ -56,14 +56,14 @@ glm::vec4 Surface::baseColor() const {
 float Surface::metallic() const {
   const float texel =
       has(TEXTURE_METALLIC_ROUGHNESS) ? float(sample(TEXTURE_METALLIC_ROUGHNESS).b) : 1.0f;
-  return m_traits.data.surface.x * texel;
+  return m_material.metallic * texel;
 }
 
 gpu::OpticsData Surface::optics() const {
-  float transmission = m_traits.data.transmission.x, thickness = m_traits.data.transmission.y;
+  float transmission = m_material.transmission, thickness = m_material.thickness;
   if (has(TEXTURE_TRANSMISSION)) transmission *= float(sample(TEXTURE_TRANSMISSION).r);
   if (has(TEXTURE_THICKNESS)) thickness *= float(sample(TEXTURE_THICKNESS).g);
-  return gpu::opticsOf(m_traits.data, baseColor(), metallic(), transmission, thickness);
+  return gpu::opticsOf(m_traits.packed, baseColor(), metallic(), transmission, thickness);
 }
 
 glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
@@ -75,8 +75,8 @@ glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
   glm::vec3 n(glm::normalize(cofactor * local * side));
   if (has(TEXTURE_NORMAL)) {
     glm::vec3 t = glm::vec3(sample(TEXTURE_NORMAL)) * 2.0f - 1.0f;
-    t.x *= m_traits.data.surface.z;
-    t.y *= m_traits.data.surface.z;
+    t.x *= m_material.normalScale;
+    t.y *= m_material.normalScale;
     const glm::dvec4 tangent = interpolated<4>(m_mesh.tangents, glm::dvec4(1, 0, 0, 1));
     const glm::vec3 world(linear * glm::dvec3(tangent));
     glm::vec3 along = world - n * glm::dot(n, world);
@@ -95,27 +95,24 @@ glm::vec3 Surface::Response::reflected(const glm::vec3& toLight) const {
 }
 
 Surface::Response Surface::response(const glm::vec3& position, const glm::vec3& normal) const {
-  const gpu::MaterialData& m = m_traits.data;
-  Response r{
-      .base = glm::vec3(baseColor()),
-      .metal = metallic(),
-      .roughness = m.surface.y,
-      .transmission = (m.flags.x & MATERIAL_TRANSMISSION) != 0 ? optics().transmission : 0.0f,
-      .n = shadingNormal(normal),
-      .v = glm::normalize(-position),
-      .unlit = (m.flags.x & MATERIAL_UNLIT) != 0};
+  Response r{.base = glm::vec3(baseColor()),
+             .metal = metallic(),
+             .roughness = m_material.roughness,
+             .transmission = m_material.transmission > 0 ? optics().transmission : 0.0f,
+             .n = shadingNormal(normal),
+             .v = glm::normalize(-position),
+             .unlit = m_material.unlit};
   if (has(TEXTURE_METALLIC_ROUGHNESS)) r.roughness *= float(sample(TEXTURE_METALLIC_ROUGHNESS).g);
   return r;
 }
 
 glm::vec3 Surface::ownRadiance(const Response& r, const glm::vec3& ambient) const {
-  const gpu::MaterialData& m = m_traits.data;
   const float share = gpu::shareReflected(r.metal, r.transmission);
   if (r.unlit) return r.base * share;
   float occlusion = 1;
   if (has(TEXTURE_OCCLUSION))
-    occlusion += m.surface.w * (float(sample(TEXTURE_OCCLUSION).r) - 1.0f);
-  glm::vec3 emissive(m.emissiveCutoff);
+    occlusion += m_material.occlusionStrength * (float(sample(TEXTURE_OCCLUSION).r) - 1.0f);
+  glm::vec3 emissive(m_material.emissive);
   if (has(TEXTURE_EMISSIVE)) emissive *= glm::vec3(sample(TEXTURE_EMISSIVE));
 
   return emissive + gpu::ambientLight(ambient, m_scene.sky, r.n) * r.base * (occlusion * share);

@@ -14,7 +14,7 @@ namespace sb {
 /// How a material acts, decided once.
 struct SurfaceTraits {
   MaterialTraits material;
-  gpu::MaterialData data;
+  gpu::MaterialData packed;  ///< for the optics that C++ and shaders share
   bool doubleSided = false;
   bool masked = false;
   bool blocks = false;  ///< all light, everywhere

@@ -18,11 +18,9 @@ struct FitInput {
   std::vector<Polygon> seen;        ///< around what is seen of them; where local lights are fitted
 };
 
-/// `origin` relative to the eye; `texelWidth` at distance 1 (perspective) or anywhere; `key`: of
-/// light and face.
-gpu::ShadowViewData viewData(const glm::dmat4& toClip, const glm::dvec3& origin,
-                             const LightFitSettings& s, double texelWidth, bool perspectiveDepth,
-                             uint32_t key);
+/// A view without casters. `origin` relative to the eye; `texelWidth` as LightView's.
+LightView viewThrough(const glm::dmat4& toClip, const glm::dvec3& origin, double texelWidth,
+                      const Light& light, uint32_t lightIndex, uint32_t face);
 
 /// Splits the light's casters into the lists of one view by a test of their bounds.
 template <class Test>

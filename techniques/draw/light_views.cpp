@@ -28,11 +28,8 @@ Box receiverBox(const FitInput& in, const dmat3& axes) {
   Box frustum, receivers;
   for (const dvec3& corner : frustumCorners(in.camera, in.aspect, farthestReceiver(in)))
     frustum.add(axes * corner);
-  for (uint32_t i : in.receivers)
-    receivers.add(instanceBounds(in.placed, i, in.camera.eye(), axes));
-  receivers.min = glm::max(receivers.min, frustum.min);
-  receivers.max = glm::min(receivers.max, frustum.max);
-  return receivers;
+  for (uint32_t i : in.receivers) receivers.add(instanceBox(in.placed, i, in.camera.eye(), axes));
+  return receivers.clippedTo(frustum);
 }
 
 /// Corner of the whole scene's light-space box: moves with the scene, stands still under the
@@ -40,16 +37,16 @@ Box receiverBox(const FitInput& in, const dmat3& axes) {
 dvec3 snapAnchor(const FitInput& in, const dmat3& axes) {
   Box all;
   for (uint32_t i = 0; i < in.placed.scene().instances.size(); ++i)
-    all.add(instanceBounds(in.placed, i, in.camera.eye(), axes));
-  return all.min;
+    all.add(instanceBox(in.placed, i, in.camera.eye(), axes));
+  return all.low;
 }
 
 void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector<LightView>& out) {
   const Light& light = in.placed.light(effects.light);
   const dmat3 axes = lightAxes(light.direction);
   Box box = receiverBox(in, axes);
-  double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-  dvec3 center = (box.min + box.max) * 0.5;
+  double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  dvec3 center = box.center();
   if (in.settings.fit == LightFit::Stable) {
     // The sphere around the frustum does not change while the camera turns or moves, to the last
     // bit: it is that of the lens alone, and the scene's is measured from within the scene.
@@ -63,12 +60,11 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
     const dvec3 within(in.placed.toWorld(0)[3]);
     Box scene;
     for (uint32_t i = 0; i < in.placed.scene().instances.size(); ++i)
-      scene.add(instanceBounds(in.placed, i, within));
-    const double sceneRadius = glm::length(scene.max - scene.min) / 2;
+      scene.add(instanceBox(in.placed, i, within));
+    const double sceneRadius = scene.radius();
     extent = 2 * std::min(radius, sceneRadius);
-    center =
-        axes * (radius <= sceneRadius ? dmat3(in.camera.toWorld) * middle
-                                      : (scene.min + scene.max) * 0.5 + (within - in.camera.eye()));
+    center = axes * (radius <= sceneRadius ? dmat3(in.camera.toWorld) * middle
+                                           : scene.center() + (within - in.camera.eye()));
   }
   if (!(extent > 0)) extent = glm::length(center) > 0 ? glm::length(center) * 1e-6 : 1.0;
   // One texel more than the guard: snapping moves the window by up to one.
@@ -81,10 +77,10 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   const double bottom = snapped(center.y - width / 2 + texel / 2, anchor.y);
 
   // Depth: receivers decide; casters nearer to the light are clamped to the near plane.
-  double top = box.max.z, low = box.min.z;
+  double top = box.high.z, low = box.low.z;
   const auto reach = [&](const std::vector<uint32_t>& casters) {
     for (uint32_t i : casters)
-      top = std::max(top, instanceBounds(in.placed, i, in.camera.eye(), axes).max.z);
+      top = std::max(top, instanceBox(in.placed, i, in.camera.eye(), axes).high.z);
   };
   if (!in.settings.depthClamp) {
     reach(effects.opaqueCasters);
@@ -96,34 +92,48 @@ void fitDirectional(const FitInput& in, const LightEffects& effects, std::vector
   low -= margin;
   const dvec3 origin = glm::transpose(axes) * dvec3(left + width / 2, bottom + width / 2, top);
   const dmat4 toClip = reversedOrthographic(width, top - low) * dmat4(axes);
-  LightView& view = out.emplace_back();
-  view.light = effects.light;
-  view.data = viewData(toClip, origin, in.settings, texel, false, 8 * light.key);
+  LightView& view = out.emplace_back(viewThrough(toClip, origin, texel, light, effects.light, 0));
   assignCasters(view, effects, [&](uint32_t i) {
-    const Box b = instanceBounds(in.placed, i, in.camera.eye(), axes);
-    return b.max.x >= left && b.min.x <= left + width && b.max.y >= bottom &&
-           b.min.y <= bottom + width && b.max.z >= low;
+    const Box b = instanceBox(in.placed, i, in.camera.eye(), axes);
+    return b.high.x >= left && b.low.x <= left + width && b.high.y >= bottom &&
+           b.low.y <= bottom + width && b.high.z >= low;
   });
 }
 
 }  // namespace
 
-gpu::ShadowViewData viewData(const dmat4& toClip, const dvec3& origin, const LightFitSettings& s,
-                             double texelWidth, bool perspectiveDepth, uint32_t key) {
-  gpu::ShadowViewData d{};
-  d.toClip = glm::mat4(toClip);
-  d.planeToClip = glm::mat4(glm::transpose(glm::inverse(toClip)));
-  d.origin = glm::vec4(glm::vec3(origin), 0);
-  d.texel = glm::vec4(1.0 / s.mapSize, s.depthStep, texelWidth, perspectiveDepth ? 1 : 0);
-  d.ids.x = key;
-  return d;
+LightView viewThrough(const dmat4& toClip, const dvec3& origin, double texelWidth,
+                      const Light& light, uint32_t lightIndex, uint32_t face) {
+  return {.light = lightIndex,
+          .face = face,
+          .key = 8 * light.key + face,
+          .toClip = glm::mat4(toClip),
+          .planeToClip = glm::mat4(glm::transpose(glm::inverse(toClip))),
+          .origin = glm::vec3(origin),
+          .perspective = light.type != LightType::Directional,
+          .texelWidth = float(texelWidth)};
+}
+
+gpu::ShadowViewData shadowViewData(const LightView& view, const LightFitSettings& settings,
+                                   bool rises) {
+  return {.toClip = view.toClip,
+          .planeToClip = view.planeToClip,
+          .origin = glm::vec4(view.origin, view.layer),
+          .texel = glm::vec4(1.0 / settings.mapSize, settings.depthStep, view.texelWidth,
+                             view.perspective ? 1 : 0),
+          .ids = {view.key, rises ? 1 : 0, 0, 0}};
+}
+
+void numberLayers(std::vector<LightView>& views) {
+  int layer = 0;
+  for (LightView& view : views) view.layer = view.empty() ? -1 : layer++;
 }
 
 double farthestReceiver(const FitInput& in) {
   double farthest = 0;
   for (uint32_t i : in.receivers) {
-    const Box b = instanceBounds(in.placed, i, in.camera.eye());
-    farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.min), glm::abs(b.max))));
+    const Box b = instanceBox(in.placed, i, in.camera.eye());
+    farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.low), glm::abs(b.high))));
   }
   return farthest;
 }
@@ -146,8 +156,7 @@ std::vector<LightView> fitLights(const PlacedScene& placed, const ViewEffects& e
     else
       fitLocal(in, light, views);
   }
-  float layer = 0;
-  for (LightView& view : views) view.data.origin.w = view.empty() ? -1.0f : layer++;
+  numberLayers(views);
   return views;
 }
 

@@ -38,14 +38,28 @@ struct LightFitSettings {
 
 /// One layer to render and to look up.
 struct LightView {
-  gpu::ShadowViewData data{};
   uint32_t light = 0;  ///< index into Scene::lights
   uint32_t face = 0;   ///< 0..5, point lights
+  /// Of the map; -1: nothing to draw.
+  int layer = -1;
+  /// Persistent, of light and face: part of every random number.
+  uint32_t key = 0;
+  glm::mat4 toClip = glm::mat4(1);       ///< (relative to the eye - origin) -> clip
+  glm::mat4 planeToClip = glm::mat4(1);  ///< takes planes there
+  glm::vec3 origin = glm::vec3(0);       ///< relative to the eye
+  bool perspective = false;              ///< of a local light
+  /// Width of a texel, world units: anywhere, or at distance 1 of a perspective view.
+  float texelWidth = 0;
   /// Casters that touch this view's volume, indices into Scene::instances, in scene order.
   std::vector<uint32_t> opaque, perforated, translucent;
-  int layer() const { return int(data.origin.w); }  ///< of the map; -1: nothing to draw
   bool empty() const { return opaque.empty() && perforated.empty() && translucent.empty(); }
 };
+
+/// As shaders see it. `rises`: a caster of any view rises before itself.
+gpu::ShadowViewData shadowViewData(const LightView& view, const LightFitSettings& settings,
+                                   bool rises);
+/// Numbers the layers of the views that have casters.
+void numberLayers(std::vector<LightView>& views);
 
 /// Views of every light that casts into the picture. Lights that cast nothing have none; views that
 /// no caster touches have layer -1: no pass, no memory, everything lit.

@@ -31,7 +31,7 @@ dmat4 reversedPerspective(const Window& window, double nearPlane) {
 }
 
 double distanceToBox(const Box& b) {
-  const dvec3 d = glm::max(glm::max(b.min, -b.max), dvec3(0));
+  const dvec3 d = glm::max(glm::max(b.low, -b.high), dvec3(0));
   return glm::length(d);
 }
 
@@ -45,9 +45,9 @@ struct DepthRange {
 DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, const Light& light) {
   double nearest = 1e300, farthest = 0;
   auto consider = [&](uint32_t i, bool caster) {
-    const Box b = instanceBounds(in.placed, i, light.position);
+    const Box b = instanceBox(in.placed, i, light.position);
     if (caster) nearest = std::min(nearest, distanceToBox(b));
-    farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.min), glm::abs(b.max))));
+    farthest = std::max(farthest, glm::length(glm::max(glm::abs(b.low), glm::abs(b.high))));
   };
   for (const auto* list :
        {&effects.opaqueCasters, &effects.perforatedCasters, &effects.translucentCasters})
@@ -64,13 +64,13 @@ DepthRange localDepthRange(const FitInput& in, const LightEffects& effects, cons
 
 /// Are the bounds inside or across the pyramid from the light through a window?
 bool touchesPyramid(const Box& b, const Window& window, double farPlane) {
-  if (-b.max.z > farPlane || -b.min.z < 0) return false;
+  if (-b.high.z > farPlane || -b.low.z < 0) return false;
   for (int axis = 0; axis < 2; ++axis) {
     // A side x = t (-z): the box lies beyond it if each of its corners does.
     const double high = window.center[axis] + window.half, low = window.center[axis] - window.half;
-    const auto lowest = [&](double t) { return t * (t < 0 ? b.max.z : b.min.z); };
-    const auto highest = [&](double t) { return t * (t < 0 ? b.min.z : b.max.z); };
-    if (b.min[axis] + lowest(high) > 0 || b.max[axis] + highest(low) < 0) return false;
+    const auto lowest = [&](double t) { return t * (t < 0 ? b.high.z : b.low.z); };
+    const auto highest = [&](double t) { return t * (t < 0 ? b.low.z : b.high.z); };
+    if (b.low[axis] + lowest(high) > 0 || b.high[axis] + highest(low) < 0) return false;
   }
   return true;
 }
@@ -114,14 +114,11 @@ void addLocalView(const FitInput& in, const LightEffects& effects, const dmat3& 
   // Widen so that what is seen lies guardTexels inside the border.
   wide.half *= size / std::max(1.0, size - 2.0 * in.settings.guardTexels);
   const dmat4 toClip = reversedPerspective(wide, range.nearPlane) * dmat4(axes);
-  LightView& view = out.emplace_back();
-  view.light = effects.light;
-  view.face = face;
-  view.data = viewData(toClip, light.position - in.camera.eye(), in.settings, 2 * wide.half / size,
-                       true, 8 * light.key + face);
+  LightView& view = out.emplace_back(viewThrough(toClip, light.position - in.camera.eye(),
+                                                 2 * wide.half / size, light, effects.light, face));
   if (!seen) return;
   assignCasters(view, effects, [&](uint32_t i) {
-    return touchesPyramid(instanceBounds(in.placed, i, light.position, axes), wide, range.farPlane);
+    return touchesPyramid(instanceBox(in.placed, i, light.position, axes), wide, range.farPlane);
   });
 }
 
@@ -142,7 +139,7 @@ void fitLocal(const FitInput& in, const LightEffects& effects, std::vector<Light
 void findSeen(FitInput& in) {
   const Frustum frustum(frustumCorners(in.camera, in.aspect, farthestReceiver(in)));
   for (const uint32_t i : in.receivers)
-    for (Polygon& face : frustum.seenPart(instanceBounds(in.placed, i, in.camera.eye())))
+    for (Polygon& face : frustum.seenPart(instanceBox(in.placed, i, in.camera.eye())))
       in.seen.push_back(std::move(face));
 }
 

@@ -255,11 +255,9 @@ bool SceneView::casterRises() const {
 void SceneView::writeLights(const Write& write) const {
   std::vector<gpu::LightData> lights;
   std::vector<gpu::ShadowViewData> shadowViews;
-  const uint32_t rises = casterRises() ? 1 : 0;
-  for (const LightView& view : m_lightViews) {
-    shadowViews.push_back(view.data);
-    shadowViews.back().ids.y = rises;
-  }
+  const bool rises = casterRises();
+  for (const LightView& view : m_lightViews)
+    shadowViews.push_back(shadowViewData(view, *m_fit, rises));
   for (const LightEffects& effects : m_shown->lights) {
     if (!effects.touchesView) continue;
     gpu::LightData d = lightData(m_placed.light(effects.light), effects.light, m_camera.eye);

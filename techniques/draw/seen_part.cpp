@@ -21,18 +21,18 @@ std::array<Polygon, 6> facesOf(const std::array<dvec3, 8>& corners) {
 std::array<dvec3, 8> cornersOf(const Box& box) {
   std::array<dvec3, 8> corners;
   for (int i = 0; i < 8; ++i)
-    corners[size_t(i)] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                          i & 4 ? box.max.z : box.min.z};
+    corners[size_t(i)] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                          i & 4 ? box.high.z : box.low.z};
   return corners;
 }
 
 std::array<HalfSpace, 6> insideOf(const Box& box) {
-  return {{{{1, 0, 0}, -box.min.x},
-           {{-1, 0, 0}, box.max.x},
-           {{0, 1, 0}, -box.min.y},
-           {{0, -1, 0}, box.max.y},
-           {{0, 0, 1}, -box.min.z},
-           {{0, 0, -1}, box.max.z}}};
+  return {{{{1, 0, 0}, -box.low.x},
+           {{-1, 0, 0}, box.high.x},
+           {{0, 1, 0}, -box.low.y},
+           {{0, -1, 0}, box.high.y},
+           {{0, 0, 1}, -box.low.z},
+           {{0, 0, -1}, box.high.z}}};
 }
 
 double height(const HalfSpace& h, const dvec3& p) { return glm::dot(h.normal, p) + h.offset; }

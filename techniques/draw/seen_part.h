@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "techniques/scene/box.h"
 #include "techniques/scene/camera.h"
 
 namespace sb {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "techniques/scene/box.h"
+
 namespace sb {
 
 double viewDepth(const SceneView& view, const glm::dvec3& relative) {
@@ -16,9 +18,9 @@ std::vector<uint32_t> backToFront(const SceneView& view, std::span<const uint32_
   };
   std::vector<Entry> order;
   for (const uint32_t i : instances) {
-    const Box box = instanceBounds(view.placed(), i, view.camera().eye);
+    const Box box = instanceBox(view.placed(), i, view.camera().eye);
     const Instance& instance = view.scene().instances[i];
-    order.push_back({-viewDepth(view, (box.min + box.max) * 0.5),
+    order.push_back({-viewDepth(view, (box.low + box.high) * 0.5),
                      view.scene().meshes[instance.mesh].key, instance.key, i});
   }
   // Of surfaces in one place the first by its keys is the nearest layer, drawn last.

@@ -31,8 +31,7 @@ std::vector<LightView> uniteViews(const std::vector<std::vector<LightView>>& ste
       addAll(at->perforated, view.perforated);
       addAll(at->translucent, view.translucent);
     }
-  float layer = 0;
-  for (LightView& view : united) view.data.origin.w = view.empty() ? -1.0f : layer++;
+  numberLayers(united);
   return united;
 }
 
@@ -43,11 +42,15 @@ std::vector<LightView> placeViews(const std::vector<LightView>& united,
   auto next = step.begin();
   for (const LightView& slot : united) {
     const bool present = next != step.end() && placeOf(*next) == placeOf(slot);
-    if (present)
+    if (present) {
       placed.push_back(std::move(*next++));
-    else
-      placed.push_back({.data = slot.data, .light = slot.light, .face = slot.face});
-    placed.back().data.origin.w = placed.back().empty() ? -1.0f : slot.data.origin.w;
+    } else {
+      placed.push_back(slot);
+      for (auto* casters :
+           {&placed.back().opaque, &placed.back().perforated, &placed.back().translucent})
+        casters->clear();
+    }
+    placed.back().layer = placed.back().empty() ? -1 : slot.layer;
   }
   return placed;
 }

@@ -116,7 +116,7 @@ ShadowMaps::ShadowMaps(const Context& context, float step, DepthShape shape)
                               .depthClamp = context.device.supports(rhi::Feature::DepthClamp),
                               .reachTranslucent = shape.reachTranslucent});
   m_recedes = recedingReach(context, m_kernel, shape.samples);
-  m_layers = uint32_t(std::ranges::count_if(views(), [](auto& v) { return v.layer() >= 0; }));
+  m_layers = uint32_t(std::ranges::count_if(views(), [](auto& v) { return v.layer >= 0; }));
 
   if (std::ranges::count(context.device.formatCaps(m_depthFormat).sampleCounts, shape.samples) == 0)
     throw rhi::Error("shadow map depth", "",
@@ -196,7 +196,7 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
   return {.view = {.texture = m_depth.id(),
                    .baseMip = 0,
                    .mipCount = 1,
-                   .baseLayer = uint32_t(view.layer()) * m_shape.layersPerView,
+                   .baseLayer = uint32_t(view.layer) * m_shape.layersPerView,
                    .layerCount = m_shape.layersPerView},
           .clearDepth = 0};
 }
@@ -204,10 +204,10 @@ rhi::DepthAttachment ShadowMaps::depthAttachment(const LightView& view) const {
 LookupReach ShadowMaps::reach(uint32_t sceneLight) const {
   LookupReach reach;
   for (const LightView& view : views()) {
-    if (view.light != sceneLight || view.layer() < 0) continue;
+    if (view.light != sceneLight || view.layer < 0) continue;
     // A texel's width anywhere, or at distance 1 under a local light: of the face with the widest.
-    const double half = 0.5 * double(m_kernel + 1) * double(view.data.texel.z);
-    double& most = view.data.texel.w > 0 ? reach.perDistance : reach.constant;
+    const double half = 0.5 * double(m_kernel + 1) * double(view.texelWidth);
+    double& most = view.perspective ? reach.perDistance : reach.constant;
     most = std::max(most, half);
   }
   return reach;

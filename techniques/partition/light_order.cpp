@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "techniques/scene/box.h"
+
 namespace sb {
 
 KnobInfo lightOrderKnob() {
@@ -15,22 +17,20 @@ KnobInfo lightOrderKnob() {
 }
 
 double lightDepth(const LightView& view, const glm::dvec3& relative) {
-  const glm::dvec4 clip = glm::dmat4(view.data.toClip) *
-                          glm::dvec4(relative - glm::dvec3(glm::vec3(view.data.origin)), 1);
-  if (view.data.texel.w > 0) return clip.w;
-  const auto& m = view.data.toClip;  // depth is reversed, and 1 over the depth of the map's volume
+  const glm::dvec4 clip =
+      glm::dmat4(view.toClip) * glm::dvec4(relative - glm::dvec3(view.origin), 1);
+  if (view.perspective) return clip.w;
+  const auto& m = view.toClip;  // depth is reversed, and 1 over the depth of the map's volume
   return -clip.z / glm::length(glm::dvec3(m[0].z, m[1].z, m[2].z));
 }
 
 namespace {
 
 double boxDepth(const LightView& view, const Box& box, bool nearest) {
-  if (!nearest) return lightDepth(view, (box.min + box.max) * 0.5);
+  if (!nearest) return lightDepth(view, box.center());
   double least = 1e300;
   for (int corner = 0; corner < 8; ++corner)
-    least = std::min(least, lightDepth(view, {corner & 1 ? box.max.x : box.min.x,
-                                              corner & 2 ? box.max.y : box.min.y,
-                                              corner & 4 ? box.max.z : box.min.z}));
+    least = std::min(least, lightDepth(view, box.corner(corner)));
   return least;
 }
 
@@ -63,10 +63,9 @@ void LightOrder::sortInstances() {
   const Scene& scene = m_view->scene();
   std::vector<std::tuple<double, uint32_t, uint32_t>> order;
   for (const uint32_t i : m_instances)
-    order.emplace_back(
-        boxDepth(lightView(), instanceBounds(m_view->placed(), i, m_view->camera().eye),
-                 m_how == "nearest"),
-        scene.instances[i].key, i);
+    order.emplace_back(boxDepth(lightView(), instanceBox(m_view->placed(), i, m_view->camera().eye),
+                                m_how == "nearest"),
+                       scene.instances[i].key, i);
   std::ranges::sort(order);
   for (size_t i = 0; i < order.size(); ++i) m_instances[i] = std::get<2>(order[i]);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "techniques/partition/light_order.h"
+#include "techniques/scene/box.h"
 
 namespace sb {
 namespace {
@@ -50,8 +51,8 @@ LightNode makeNode(const SceneView& view, const LightView& light, uint32_t i) {
     for (const glm::vec3& p : mesh.positions)
       points.push_back(linear * glm::dvec3(p) + translation);
   }
-  const glm::dmat4 toClip(light.data.toClip);
-  const glm::dvec3 origin(glm::vec3(light.data.origin));
+  const glm::dmat4 toClip(light.toClip);
+  const glm::dvec3 origin(light.origin);
   node.nearest = 1e300;
   node.farthest = -1e300;
   bool behind = false;
@@ -88,7 +89,7 @@ Order orderOf(const LightNode& a, const LightNode& b, const LightPoint& light) {
   for (const glm::dvec3& p : a.corners) boxA.add(p);
   for (const glm::dvec3& p : b.corners) boxB.add(p);
   const double tolerance =
-      kTouching * (glm::length(boxA.max - boxA.min) + glm::length(boxB.max - boxB.min));
+      kTouching * (glm::length(boxA.high - boxA.low) + glm::length(boxB.high - boxB.low));
   if (a.plane)
     if (const Order o = sideOf(*a.plane, light, b, tolerance, Order::BFirst, Order::AFirst);
         o != Order::Unknown)
@@ -103,10 +104,10 @@ Order orderOf(const LightNode& a, const LightNode& b, const LightPoint& light) {
     for (const bool aIsLow : {true, false}) {
       const Box& low = aIsLow ? boxA : boxB;
       const Box& high = aIsLow ? boxB : boxA;
-      if (low.max[axis] > high.min[axis] + tolerance) continue;
+      if (low.high[axis] > high.low[axis] + tolerance) continue;
       Plane plane;
       plane.normal[axis] = 1;
-      plane.offset = 0.5 * (low.max[axis] + high.min[axis]);
+      plane.offset = 0.5 * (low.high[axis] + high.low[axis]);
       const double side = light.side(plane);
       if (std::abs(side) <= (light.directional ? 1e-9 : tolerance)) continue;
       return (side > 0) == aIsLow ? Order::BFirst : Order::AFirst;

@@ -40,11 +40,11 @@ class PartMaps final : public ColourMaps {
 
   void recordPart(Frame& frame, size_t part) override {
     for (size_t i = 0; i < m_shadows.views().size(); ++i)
-      if (m_shadows.views()[i].layer() >= 0) recordMap(frame, i, m_parts.casters[part][i]);
+      if (m_shadows.views()[i].layer >= 0) recordMap(frame, i, m_parts.casters[part][i]);
   }
 
   glm::uvec4 behindAll(size_t view) const override {
-    return {1 + uint32_t(std::max(0, m_shadows.views()[view].layer())), 0, 0, 0};
+    return {1 + uint32_t(std::max(0, m_shadows.views()[view].layer)), 0, 0, 0};
   }
 
   Maps maps() const override {
@@ -61,7 +61,7 @@ class PartMaps final : public ColourMaps {
                [&](rhi::CommandList& commands) {
                  m_shadows.surfaces(i).draw(commands, m_nearestPipeline, casters);
                });
-    recordColourPass(frame, m_shadows, view, m_colour, uint32_t(view.layer()),
+    recordColourPass(frame, m_shadows, view, m_colour, uint32_t(view.layer),
                      [&](rhi::CommandList& commands) {
                        m_shadows.surfaces(i).draw(commands, m_colourPipeline, casters);
                      });

@@ -8,7 +8,7 @@ void ViewLevels::plan(const SceneView& view, const ShadowMaps& maps, bool peeled
   m_layers = 0;
   m_views.assign(maps.views().size(), {});
   for (size_t i = 0; i < m_views.size(); ++i) {
-    if (maps.views()[i].layer() < 0) continue;
+    if (maps.views()[i].layer < 0) continue;
     const LightOverlap overlap = lightOverlap(view, maps.views()[i]);
     LightLevels& levels = m_views[i].levels;
     levels = peeled ? onePeeledLevel(overlap) : lightLevels(overlap, cap);

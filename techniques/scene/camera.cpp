@@ -67,20 +67,4 @@ std::array<glm::dvec3, 8> frustumCorners(const Camera& camera, double aspect, do
   return corners;
 }
 
-Box instanceBounds(const PlacedScene& placed, uint32_t instance, const glm::dvec3& origin,
-                   const glm::dmat3& axes) {
-  const Mesh& mesh = placed.scene().meshes[placed.scene().instances[instance].mesh];
-  const glm::dmat4& toWorld = placed.toWorld(instance);
-  const glm::dmat3 linear = axes * glm::dmat3(toWorld);
-  const glm::dvec3 translation = axes * (glm::dvec3(toWorld[3]) - origin);
-  Box box;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner(i & 1 ? mesh.boundsMax.x : mesh.boundsMin.x,
-                            i & 2 ? mesh.boundsMax.y : mesh.boundsMin.y,
-                            i & 4 ? mesh.boundsMax.z : mesh.boundsMin.z);
-    box.add(linear * corner + translation);
-  }
-  return box;
-}
-
 }  // namespace sb

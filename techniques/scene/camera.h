@@ -40,23 +40,4 @@ glm::dmat4 perspective(double fovY, double aspect, double nearPlane, double farP
 glm::dmat4 orthographic(double left, double right, double bottom, double top, double nearPlane,
                         double farPlane);
 
-/// Axis-aligned box; `empty()` until something was added.
-struct Box {
-  glm::dvec3 min = glm::dvec3(1e300);
-  glm::dvec3 max = glm::dvec3(-1e300);
-  bool empty() const { return min.x > max.x; }
-  void add(const glm::dvec3& p) {
-    min = glm::min(min, p);
-    max = glm::max(max, p);
-  }
-  void add(const Box& b) {
-    min = glm::min(min, b.min);
-    max = glm::max(max, b.max);
-  }
-};
-
-/// Bounds of an instance relative to `origin`, through the rotation `axes` (rows: the axes).
-Box instanceBounds(const PlacedScene& placed, uint32_t instance, const glm::dvec3& origin,
-                   const glm::dmat3& axes = glm::dmat3(1));
-
 }  // namespace sb

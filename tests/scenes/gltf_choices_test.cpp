@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/percent.h"
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/scene_edit.h"
 #include "suites/scenes/procedural/procedural.h"
+#include "techniques/scene/box.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace sb::test {
@@ -74,10 +74,10 @@ TEST_F(GltfChoices, FileNamesMayHoldQuestionMarks) {
 }
 
 /// Box of the scene's vertices in the picture of a camera, -1..1 both ways at aspect 1.
-Bounds pictureBox(const Scene& scene) {
+Box pictureBox(const Scene& scene) {
   const Camera& camera = scene.camera();
   const glm::dmat4 toView = glm::inverse(camera.toWorld);
-  Bounds box;
+  Box box;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     if (mesh.name == "ground") continue;
@@ -102,7 +102,7 @@ TEST_F(GltfChoices, FramingFillsFourFifths) {
   for (const auto& shape : shapes) {
     json gltf = triangleFile();
     gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = addFloats(gltf, shape, 3);
-    const Bounds box = pictureBox(make(gltf, ""));
+    const Box box = pictureBox(make(gltf, ""));
     EXPECT_NEAR(std::max(box.high.x - box.low.x, box.high.y - box.low.y), 1.6, 1e-6);
     // The side that decides is centred; the other lies within the same four fifths.
     for (int i = 0; i < 2; ++i) {
@@ -115,7 +115,7 @@ TEST_F(GltfChoices, FramingFillsFourFifths) {
 TEST_F(GltfChoices, AGroundReceivesAndIsSeen) {
   const Scene bare = make(triangleFile(), ""), scene = make(triangleFile(), "ground:size=4");
   ASSERT_EQ(scene.instances.size(), 2u);
-  const Bounds ground = instanceBox(scene, scene.instances[1]);
+  const Box ground = instanceBox(scene, scene.instances[1]);
   EXPECT_LT(ground.high.y, 0);
   EXPECT_GT(ground.high.y, -0.01);
   EXPECT_EQ(scene.camera().toWorld, bare.camera().toWorld);

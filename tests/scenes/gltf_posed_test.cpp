@@ -1,5 +1,5 @@
 // Skins, morph targets, animations and instances as they stand at t = 0, and packed files.
-#include "suites/scenes/analysis/bounds.h"
+#include "techniques/scene/box.h"
 #include "tests/scenes/gltf_files.h"
 #include "tests/scenes/gltf_packed.h"
 
@@ -134,7 +134,7 @@ TEST_F(GltfPosed, PackedFilesLoadAsUnpackedOnes) {
   expectPoints(load(meshoptFile()), 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const Scene square = load(dracoFile());
   EXPECT_EQ(square.meshes.at(0).triangleCount(), 2u);
-  const Bounds box = sceneBox(square);
+  const Box box = sceneBox(square);
   EXPECT_EQ(box.low, glm::dvec3(0));
   EXPECT_EQ(box.high, glm::dvec3(1, 1, 0));
   const Scene red = load(webpFile());

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "suites/scenes/analysis/analysis.h"
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/analysis/view_volume.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/box.h"
 #include "techniques/scene/light_area.h"
 
 namespace sb {
@@ -106,7 +106,7 @@ TEST(Procedural, EveryInstanceLiesInView) {
       const ViewVolume view(scene.camera(), aspect);
       for (const Instance& instance : scene.instances) {
         if (instance.name == "floor") continue;
-        const Bounds screen = view.onScreen(instanceBox(scene, instance, scene.camera().eye()));
+        const Box screen = view.onScreen(instanceBox(scene, instance, scene.camera().eye()));
         EXPECT_GT(screen.low.x, -1.0) << spec << " " << instance.name << " " << aspect;
         EXPECT_LT(screen.high.x, 1.0) << spec << " " << instance.name << " " << aspect;
         EXPECT_GT(screen.low.y, -1.0) << spec << " " << instance.name;
@@ -133,7 +133,7 @@ TEST(Procedural, SpheresAndQuads) {
   const Scene scene = makeScene("spheres_quads:quads=2000");
   EXPECT_EQ(scene.instances.size(), 1u + 1000 + 2000);
   EXPECT_EQ(scene.meshes.size(), 3u);
-  Bounds spheres, quads;
+  Box spheres, quads;
   for (const Instance& i : scene.instances) {
     if (i.name.starts_with("sphere")) spheres.add(instanceBox(scene, i));
     if (i.name.starts_with("quad")) quads.add(instanceBox(scene, i));

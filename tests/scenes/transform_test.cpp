@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/procedural/procedural.h"
+#include "techniques/scene/box.h"
 #include "techniques/scene/light_area.h"
 
 namespace sb {

@@ -29,7 +29,7 @@ Scene everyLight() {
 
 uint32_t layersOf(const Cell& cell) {
   uint32_t layers = 0;
-  for (const LightView& view : cell.lightViews()) layers += view.layer() >= 0;
+  for (const LightView& view : cell.lightViews()) layers += view.layer >= 0;
   return layers;
 }
 

@@ -45,7 +45,7 @@ GPU_TEST(Cssm2Mean, NoiseFallsAsOneOverTheKernel) {
   for (const uint32_t kernel : {3u, 9u}) {
     Cell cell(cellDevice(device()), stack({workedA(), workedB()}),
               single({{"kernel", std::to_string(kernel)}, {"size", "1024"}}));
-    const double texel = cell.lightViews().at(0).data.texel.z, pixel = 8.0 / 256;
+    const double texel = cell.lightViews().at(0).texelWidth, pixel = 8.0 / 256;
     const uint32_t stride = uint32_t(std::ceil(kernel * texel / pixel));
     const Moments m = momentsOf(cell.visibility()[0], cell.size(), stride);
     ASSERT_GT(m.count, 1500u);

@@ -17,7 +17,7 @@ inline glm::vec4 numbersOf(const Scene& scene, uint32_t instance, uint32_t trian
   const Instance& i = scene.instances[instance];
   const Mesh& mesh = scene.meshes[i.mesh];
   const uint32_t key = gpu::surfaceKey(mesh.key, i.key, mesh.triangleKeys[triangle]);
-  return gpu::randomNumbers(x, y, key, 0, gpu::pcg4d(glm::uvec4(seed, view.data.ids.x, 0, 0)).x);
+  return gpu::randomNumbers(x, y, key, 0, gpu::pcg4d(glm::uvec4(seed, view.key, 0, 0)).x);
 }
 
 /// Mean and variance per channel of a layer of the visibility buffer over pixels that show it.

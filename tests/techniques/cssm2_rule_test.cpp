@@ -12,9 +12,8 @@ namespace {
 
 /// Depth of a horizontal plane in a map of light straight above.
 float depthAt(const LightView& view, double height, const Scene& scene) {
-  const glm::dvec3 p =
-      glm::dvec3(0, height, 0) - scene.camera().eye() - glm::dvec3(glm::vec3(view.data.origin));
-  return float((glm::dmat4(view.data.toClip) * glm::dvec4(p, 1)).z);
+  const glm::dvec3 p = glm::dvec3(0, height, 0) - scene.camera().eye() - glm::dvec3(view.origin);
+  return float((glm::dmat4(view.toClip) * glm::dvec4(p, 1)).z);
 }
 
 /// Index of the triangle of a quad that covers a texel; -1 near the diagonal or outside.
@@ -24,8 +23,8 @@ int triangleAt(const Scene& scene, uint32_t instance, const LightView& view, glm
     glm::dvec2 c[3];
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 p = glm::dvec3(mesh.positions[mesh.indices[size_t(3 * t + k)]]) -
-                           scene.camera().eye() - glm::dvec3(glm::vec3(view.data.origin));
-      c[k] = glm::dvec2(glm::dmat4(view.data.toClip) * glm::dvec4(p, 1)) * 0.5 + 0.5;
+                           scene.camera().eye() - glm::dvec3(view.origin);
+      c[k] = glm::dvec2(glm::dmat4(view.toClip) * glm::dvec4(p, 1)) * 0.5 + 0.5;
     }
     bool inside = true;
     const double area =

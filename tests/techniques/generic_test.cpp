@@ -53,7 +53,7 @@ Result resultOf(CellDevice& device, const Scene& scene, const std::string& techn
   Cell cell(device, scene, optionsOf(technique));
   Result r{cell.picture().rgba, {}};
   uint32_t layers = 0;
-  for (const LightView& view : cell.lightViews()) layers += view.layer() >= 0;
+  for (const LightView& view : cell.lightViews()) layers += view.layer >= 0;
   for (uint32_t layer = 0; layer < layers; ++layer)
     for (const char* label : {"depth", "colours"})
       if (cell.hasMap(label)) r.maps.push_back(cell.map(label, layer));

@@ -30,8 +30,8 @@ Scene wide() {
 
 /// Where a world point falls in the map, texels.
 glm::dvec2 texelOf(const Scene& scene, const LightView& view, const glm::dvec3& world) {
-  const glm::dvec3 p = world - scene.camera().eye() - glm::dvec3(glm::vec3(view.data.origin));
-  const glm::dvec4 clip = glm::dmat4(view.data.toClip) * glm::dvec4(p, 1);
+  const glm::dvec3 p = world - scene.camera().eye() - glm::dvec3(view.origin);
+  const glm::dvec4 clip = glm::dmat4(view.toClip) * glm::dvec4(p, 1);
   return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * 256.0;
 }
 
@@ -43,7 +43,7 @@ TEST(LightViews, StableTexelsStandStillUnderAMovingCamera) {
     Scene moved = scene;
     moved.cameras[0].toWorld[3] += glm::dvec4(0.37 * step, 0, -0.211 * step, 0);
     const LightView after = fitted(moved, LightFit::Stable);
-    EXPECT_EQ(before.data.texel.z, after.data.texel.z);
+    EXPECT_EQ(before.texelWidth, after.texelWidth);
     const glm::dvec2 shift = texelOf(moved, after, {1, -1, 2}) - home;
     EXPECT_NEAR(shift.x, std::round(shift.x), 2e-3) << step;
     EXPECT_NEAR(shift.y, std::round(shift.y), 2e-3) << step;
@@ -56,12 +56,12 @@ TEST(LightViews, WholeSceneMovedByTexelsKeepsItsProjection) {
     const LightView before = fitted(scene, fit);
     Scene moved = scene;
     // 37 texels along the light's x axis, a row of toClip.
-    const glm::dmat4 m(before.data.toClip);
+    const glm::dmat4 m(before.toClip);
     const glm::dvec3 axis = glm::normalize(glm::dvec3(m[0].x, m[1].x, m[2].x));
-    translateScene(moved, axis * (37.0 * before.data.texel.z));
+    translateScene(moved, axis * (37.0 * before.texelWidth));
     const LightView after = fitted(moved, fit);
-    EXPECT_EQ(before.data.toClip, after.data.toClip);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(before.data.origin[c], after.data.origin[c], 1e-6);
+    EXPECT_EQ(before.toClip, after.toClip);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(before.origin[c], after.origin[c], 1e-6);
   }
 }
 
@@ -88,12 +88,12 @@ TEST(LightViews, LocalFrustaAreFittedToWhatTheCameraSees) {
     const std::vector<LightView> tight = viewsOf(scene, LightFit::Tight);
     const std::vector<LightView> whole = viewsOf(scene, LightFit::Stable);
     ASSERT_EQ(tight.size(), light.type == LightType::Spot ? 1u : 6u);
-    const auto sees = [](const LightView& view) { return view.layer() >= 0; };
+    const auto sees = [](const LightView& view) { return view.layer >= 0; };
     ASSERT_EQ(std::ranges::count_if(tight, sees), 1) << "the floor is below alone";
     const LightView& view = *std::ranges::find_if(tight, sees);
     // The picture shows some 15 units: a few texels each instead of a few units a texel.
-    EXPECT_LT(view.data.texel.z * 400, 0.2);
-    EXPECT_GT(whole[size_t(&view - tight.data())].data.texel.z * 400, 3.0);
+    EXPECT_LT(view.texelWidth * 400, 0.2);
+    EXPECT_GT(whole[size_t(&view - tight.data())].texelWidth * 400, 3.0);
     // Whatever the camera sees lies within the map, its filter included.
     for (int y = -8; y <= 8; ++y)
       for (int x = -8; x <= 8; ++x) {
@@ -116,9 +116,8 @@ TEST(LightViews, StableLocalFrustaStandStillUnderAMovingCamera) {
   const LightView before = viewsOf(scene, LightFit::Stable)[0];
   scene.cameras[0] = lookAt({4, 3, 7}, {1, 0, 2}, 0.8);
   const LightView after = viewsOf(scene, LightFit::Stable)[0];
-  EXPECT_EQ(before.data.texel, after.data.texel);
-  EXPECT_LT(glm::length(glm::dvec2(before.data.toClip[0]) - glm::dvec2(after.data.toClip[0])),
-            1e-12);
+  EXPECT_EQ(before.texelWidth, after.texelWidth);
+  EXPECT_LT(glm::length(glm::dvec2(before.toClip[0]) - glm::dvec2(after.toClip[0])), 1e-12);
 }
 
 TEST(LightViews, DepthStepOfTheWorkedExample) {

@@ -117,7 +117,7 @@ GPU_TEST(ShadowPoint, LargeRangeWithoutAcneAndWithContact) {
     scene.cameras[0] = lookAt({0, 0, -2 * z}, {0, 0, 0}, 1.4, 4 * z);
     scene.cameras[0].nearPlane = z / 4;
     const Cell probe(cellDevice(device()), scene, options());
-    const glm::dmat4 m(probe.lightViews().at(5).data.toClip);
+    const glm::dmat4 m(probe.lightViews().at(5).toClip);
     const double nearPlane = m[3].z, farPlane = z * std::numbers::sqrt2;
     const double step = z * z * (farPlane - nearPlane) / (nearPlane * farPlane) * 0x1p-24;
     const double gap = std::max(2 * step, 24 * z * 0x1p-24);

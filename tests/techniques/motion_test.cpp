@@ -157,7 +157,7 @@ TEST(Motion, ALightThatCirclesWritesOtherLayersAtEachStep) {
   for (uint32_t k = 0; k < 4; ++k) {
     std::set<int> layers;
     for (const LightView& view : moving.cell->renderer().view().lightViews())
-      if (view.layer() >= 0) layers.insert(view.layer());
+      if (view.layer >= 0) layers.insert(view.layer);
     size_t passes = 0;
     for (const PassResult& pass : moving.cell->result().passes)
       passes += pass.label == "shadow map";
@@ -170,7 +170,7 @@ TEST(Motion, ALightThatCirclesWritesOtherLayersAtEachStep) {
 
 LightView viewOf(uint32_t light, uint32_t face, std::vector<uint32_t> opaque) {
   LightView view{.light = light, .face = face, .opaque = std::move(opaque)};
-  view.data.origin = {float(10 * light + face), 0, 0, 0};
+  view.origin = {float(10 * light + face), 0, 0};
   return view;
 }
 
@@ -183,7 +183,7 @@ TEST(Motion, ViewsKeepTheirPlacesAlongAPath) {
   EXPECT_EQ(united[3].opaque, (std::vector<uint32_t>{4, 7}));
   const auto layers = [](const std::vector<LightView>& views) {
     std::vector<int> out;
-    for (const LightView& v : views) out.push_back(v.layer());
+    for (const LightView& v : views) out.push_back(v.layer);
     return out;
   };
   EXPECT_EQ(layers(united), (std::vector<int>{0, 1, -1, 2}));
@@ -206,14 +206,13 @@ TEST(Motion, StableFitsKeepTheirTexelsAlongAPath) {
   const LightView last = fit(32);
   for (uint32_t k = 0; k < 32; ++k) {
     const LightView view = fit(k);
-    EXPECT_EQ(view.data.texel.z, last.data.texel.z) << k;
+    EXPECT_EQ(view.texelWidth, last.texelWidth) << k;
     for (int row = 0; row < 2; ++row)  // width on the map, not depth
-      for (int c = 0; c < 3; ++c) EXPECT_EQ(view.data.toClip[c][row], last.data.toClip[c][row]);
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(view.toClip[c][row], last.toClip[c][row]);
     // The window moves by whole texels.
-    const glm::dvec3 moved = glm::dvec3(glm::vec3(view.data.origin)) +
-                             PlacedScene(scene, k).camera().eye() -
-                             glm::dvec3(glm::vec3(last.data.origin)) - scene.camera().eye();
-    const glm::dmat4 m(view.data.toClip);
+    const glm::dvec3 moved = glm::dvec3(view.origin) + PlacedScene(scene, k).camera().eye() -
+                             glm::dvec3(last.origin) - scene.camera().eye();
+    const glm::dmat4 m(view.toClip);
     for (int row = 0; row < 2; ++row) {
       const double texels = 128 * glm::dot(glm::dvec3(m[0][row], m[1][row], m[2][row]), moved);
       EXPECT_NEAR(texels, std::round(texels), 2e-3) << k;

@@ -52,7 +52,7 @@ GPU_TEST(ShadowMapEdges, BoundaryWithinOneTexel) {
 
 GPU_TEST(ShadowMapEdges, AreaInTheMapWithinHalfATexelOfThePerimeter) {
   Cell cell(cellDevice(device()), quadOverFloor(), manual());
-  const double texel = cell.lightViews().at(0).data.texel.z;
+  const double texel = cell.lightViews().at(0).texelWidth;
   double area = 0;
   for (const float d : cell.map("depth")) area += d > 0.75f ? texel * texel : 0;
   EXPECT_NEAR(area, 4, 8 * texel / 2);
@@ -155,9 +155,9 @@ GPU_TEST(ShadowMapBias, NothingLeaksBeyondTwiceTheBias) {
     const Cell probe(cellDevice(device()), scene, manual());
     const LightView view = probe.lightViews().at(0);
     // Depth of a unit of length along the light, and of a texel's step on the floor.
-    const glm::dmat4 toClip(view.data.toClip);
+    const glm::dmat4 toClip(view.toClip);
     const glm::dvec3 along(toClip[0].z, toClip[1].z, toClip[2].z);
-    const double perUnit = glm::length(along), texel = view.data.texel.z;
+    const double perUnit = glm::length(along), texel = view.texelWidth;
     const double slope = std::sqrt(2.0) * texel * std::tan(glm::radians(degrees)) * perUnit;
     // The floor's corners lie within 6 of the eye.
     const double bias = 2.4e-7 * (1 + 256 * slope + 2 * 6 * perUnit) + slope / 64;

@@ -48,7 +48,7 @@ GPU_TEST(StochasticShadow, WorkedExample) {
 GPU_TEST(StochasticShadow, NoiseOfTheWorkedExample) {
   Cell cell(cellDevice(device()), stack({opacity(0.5f), opacity(0.3f), opacity(0.2f)}),
             grey({{"kernel", "9"}, {"size", "1024"}}));
-  const double texel = cell.lightViews().at(0).data.texel.z, pixel = 8.0 / 256;
+  const double texel = cell.lightViews().at(0).texelWidth, pixel = 8.0 / 256;
   const Moments m =
       momentsOf(cell.visibility()[0], cell.size(), uint32_t(std::ceil(9 * texel / pixel)));
   EXPECT_NEAR(std::sqrt(m.variance.x), 0.0499, 0.0499 * 2 / std::sqrt(double(m.count)) * 2);

@@ -99,8 +99,8 @@ ShadowCounts compareShadows(Cell& cell, uint32_t light, double texels, double co
   std::vector<LightView> views = cell.lightViews();
   double texelAtOne = 0;
   for (const LightView& view : views)
-    if (view.light == light && view.layer() >= 0)
-      texelAtOne = std::max(texelAtOne, double(view.data.texel.z));
+    if (view.light == light && view.layer >= 0)
+      texelAtOne = std::max(texelAtOne, double(view.texelWidth));
   const VisibilityImage& image = cell.visibility(light)[0];
   ShadowCounts counts;
   const auto [width, height] = cell.size();

@@ -217,7 +217,7 @@ Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
     const Mesh& mesh = scene.meshes.at(instance.mesh);
     const glm::dmat4& toWorld = placed.toWorld(i);
     AnalysedInstance& a = instances.emplace_back();
-    a.box = transformedBox(mesh.boundsMin, mesh.boundsMax, toWorld, eye);
+    a.box = transformedBox(meshBox(mesh), toWorld, eye);
     a.traits = traits.materials[mesh.material];
     a.visible = !mesh.indices.empty() && view.mayShow(a.box);
     a.lit = !scene.materials[mesh.material].unlit;
@@ -228,7 +228,7 @@ Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
   for (const Medium& medium : scene.media) {
     AnalysedMedium& m = media.emplace_back();
     if (greatestDepth(medium) >= kThinnest)
-      m.box = transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, eye);
+      m.box = transformedBox(kMediumBox, medium.boxToWorld, eye);
     m.scatters = medium.albedo != glm::vec3(0);
   }
   if (media.empty()) return;

@@ -9,10 +9,10 @@ namespace {
 
 // Bounds around everything the light shades in the picture: boxes of visible surfaces and of media
 // that scatter, cut to the view.
-Bounds receiverBounds(const Analysis& analysis, const LightReach& reach) {
-  Bounds bounds;
-  const auto add = [&](const Bounds& box, const Bounds& view) {
-    const Bounds seen = box.clippedTo(view);
+Box receiverBounds(const Analysis& analysis, const LightReach& reach) {
+  Box bounds;
+  const auto add = [&](const Box& box, const Box& view) {
+    const Box seen = box.clippedTo(view);
     if (!seen.empty() && reach.mayLight(seen)) bounds.add(seen);
   };
   for (const AnalysedInstance& instance : analysis.instances)
@@ -28,12 +28,12 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index) {
   LightEffects light;
   light.light = index;
   const LightReach reach(analysis.placed.light(index), analysis.eye);
-  const Bounds receivers = receiverBounds(analysis, reach);
+  const Box receivers = receiverBounds(analysis, reach);
   light.touchesView = !receivers.empty();
   if (!light.touchesView) return light;
 
-  const Bounds turned = reach.directional() ? reach.toLightSpace(receivers) : Bounds();
-  const auto mayCast = [&](const Bounds& box) {
+  const Box turned = reach.directional() ? reach.toLightSpace(receivers) : Box();
+  const auto mayCast = [&](const Box& box) {
     return reach.directional()
                ? LightReach::sweptTouches(reach.toLightSpace(box), turned, reach.spread())
                : reach.mayShadow(box, receivers);
@@ -54,7 +54,7 @@ LightEffects analyseLight(const Analysis& analysis, uint32_t index) {
     }
   }
   for (uint32_t m = 0; m < analysis.media.size(); ++m)
-    if (const Bounds& box = analysis.media[m].box; !box.empty() && mayCast(box))
+    if (const Box& box = analysis.media[m].box; !box.empty() && mayCast(box))
       light.media.push_back(m);
   light.penumbra = penumbraBound(analysis, light);
   return light;

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "techniques/scene/light_area.h"
+#include "techniques/scene/light_data.h"
 
 namespace sb {
 namespace {
 
-double squaredDistance(glm::dvec3 p, const Bounds& box) {
+double squaredDistance(glm::dvec3 p, const Box& box) {
   const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0));
   return glm::dot(away, away);
 }
@@ -36,25 +37,23 @@ LightReach::LightReach(const Light& light, glm::dvec3 origin)
       m_range(light.range > 0 ? light.range : std::numeric_limits<double>::infinity()),
       m_radius(m_directional ? 0 : lightRadius(light)),
       m_outerCone(light.outerCone) {
-  const glm::dvec3 z = light.direction;
-  const glm::dvec3 other = std::abs(z.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 x = glm::normalize(glm::cross(other, z));
-  m_toLight = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
-  if (m_directional) m_spread = std::tan(std::min(light.angularRadius, 1.5));
+  if (!m_directional) return;
+  m_axes = lightAxes(light.direction);
+  m_spread = std::tan(std::min(light.angularRadius, 1.5));
 }
 
-double LightReach::aside(const Bounds& receiver) const {
+double LightReach::aside(const Box& receiver) const {
   if (!m_solid) return m_radius;
   const double d2 = squaredDistance(m_position, receiver), r2 = m_radius * m_radius;
   return d2 > r2 ? m_radius * std::sqrt(d2 / (d2 - r2)) : std::numeric_limits<double>::infinity();
 }
 
-bool LightReach::mayLight(const Bounds& box) const {
+bool LightReach::mayLight(const Box& box) const {
   if (m_dark || box.empty()) return false;
   return m_directional || mayPass(box, 0);
 }
 
-bool LightReach::mayPass(const Bounds& box, double slack) const {
+bool LightReach::mayPass(const Box& box, double slack) const {
   const double reach = m_range + slack;
   if (squaredDistance(m_position, box) > reach * reach * (1 + 1e-6)) return false;
   if (!m_cone) return true;
@@ -68,21 +67,21 @@ bool LightReach::mayPass(const Bounds& box, double slack) const {
                             box.radius() * (1 + 1e-6) + slack);
 }
 
-Bounds LightReach::toLightSpace(const Bounds& box) const {
-  Bounds turned;
-  for (int i = 0; i < 8; ++i) turned.add(m_toLight * box.corner(i));
+Box LightReach::toLightSpace(const Box& box) const {
+  Box turned;
+  for (int i = 0; i < 8; ++i) turned.add(m_axes * box.corner(i));
   turned.grow(1e-6 * (turned.radius() + glm::length(turned.center())));
   return turned;
 }
 
-bool LightReach::sweptTouches(const Bounds& caster, const Bounds& receiver, double spread) {
-  if (!(caster.low.z <= receiver.high.z)) return false;
-  const double aside = spread * (receiver.high.z - caster.low.z);
+bool LightReach::sweptTouches(const Box& caster, const Box& receiver, double spread) {
+  if (!(caster.high.z >= receiver.low.z)) return false;
+  const double aside = spread * (caster.high.z - receiver.low.z);
   return caster.low.x - aside <= receiver.high.x && receiver.low.x <= caster.high.x + aside &&
          caster.low.y - aside <= receiver.high.y && receiver.low.y <= caster.high.y + aside;
 }
 
-bool LightReach::mayShadow(const Bounds& caster, const Bounds& receiver) const {
+bool LightReach::mayShadow(const Box& caster, const Box& receiver) const {
   if (caster.empty() || receiver.empty()) return false;
   if (m_directional) return sweptTouches(toLightSpace(caster), toLightSpace(receiver), m_spread);
   const double slack = aside(receiver);
@@ -90,7 +89,7 @@ bool LightReach::mayShadow(const Bounds& caster, const Bounds& receiver) const {
   if (!std::isfinite(slack)) return true;  // within the light
   if (!mayPass(caster, slack)) return false;
   // All rays in question lie in the box around light and receiver.
-  Bounds between{m_position, m_position};
+  Box between{m_position, m_position};
   between.grow(slack);
   between.add(receiver);
   between.grow(1e-6 * (between.radius() + glm::length(between.center())));

@@ -12,16 +12,16 @@ class LightReach {
   /// `origin` is the eye.
   LightReach(const Light& light, glm::dvec3 origin);
   /// False only if no light arrives anywhere in the box.
-  bool mayLight(const Bounds& box) const;
+  bool mayLight(const Box& box) const;
   /// False only if no ray from the light to a point of `receiver` meets `caster`.
-  bool mayShadow(const Bounds& caster, const Bounds& receiver) const;
+  bool mayShadow(const Box& caster, const Box& receiver) const;
   /// The same, of boxes that were turned by toLightSpace() (directional lights).
-  static bool sweptTouches(const Bounds& caster, const Bounds& receiver, double spread);
-  /// Bounds around a box in the light's frame: x, y across the light, z along it (directional lights).
-  Bounds toLightSpace(const Bounds& box) const;
+  static bool sweptTouches(const Box& caster, const Box& receiver, double spread);
+  /// Around a box in the light's axes (directional lights).
+  Box toLightSpace(const Box& box) const;
   bool directional() const { return m_directional; }
-  /// Turns positions relative to the eye into the light's frame (directional lights).
-  const glm::dmat3& frame() const { return m_toLight; }
+  /// lightAxes() of a directional light.
+  const glm::dmat3& axes() const { return m_axes; }
   /// How far the shadow's rim moves aside per unit of depth (directional lights with an angular
   /// radius).
   double spread() const { return m_spread; }
@@ -29,12 +29,12 @@ class LightReach {
  private:
   /// How far from its centre the light may be aimed at from points of the box (LightPatch), of
   /// point and spot lights.
-  double aside(const Bounds& receiver) const;
+  double aside(const Box& receiver) const;
   /// The same, where rays to the light may pass `slack` beside the rays to its centre.
-  bool mayPass(const Bounds& box, double slack) const;
+  bool mayPass(const Box& box, double slack) const;
 
   bool m_directional, m_dark, m_cone, m_solid;
-  glm::dmat3 m_toLight;  ///< directional: rows x, y across and z along the direction
+  glm::dmat3 m_axes = glm::dmat3(1);
   double m_spread = 0;
   glm::dvec3 m_position, m_direction;
   double m_range, m_radius, m_outerCone;

@@ -8,7 +8,7 @@ namespace sb {
 namespace {
 
 struct Item {
-  Bounds box;
+  Box box;
   uint32_t instance;
 };
 
@@ -34,14 +34,14 @@ Overlap directionalOverlap(const Analysis& analysis, const LightReach& reach,
                            const std::vector<uint32_t>& casters,
                            const std::function<bool(uint32_t)>& receives) {
   std::vector<Item> items;
-  Bounds all;
+  Box all;
   const auto add = [&](uint32_t i) {
     const Mesh& mesh = analysis.scene.meshes[analysis.scene.instances[i].mesh];
     // The mesh's own box, turned into the light's frame, fits closer than the world's box.
     glm::dmat4 toLight = analysis.placed.toWorld(i);
     toLight[3] -= glm::dvec4(analysis.eye, 0);
-    toLight = glm::dmat4(reach.frame()) * toLight;
-    Bounds box = transformedBox(mesh.boundsMin, mesh.boundsMax, toLight);
+    toLight = glm::dmat4(reach.axes()) * toLight;
+    Box box = transformedBox(meshBox(mesh), toLight);
     box.grow(1e-6 * (box.radius() + glm::length(box.center())));
     all.add(box);
     items.push_back({box, i});

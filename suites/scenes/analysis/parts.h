@@ -14,7 +14,7 @@ namespace sb {
 
 /// One instance as the analysis sees it.
 struct AnalysedInstance {
-  Bounds box;  ///< relative to the eye
+  Box box;  ///< relative to the eye
   MaterialTraits traits;
   bool visible = false;  ///< may lie in the view
   bool lit = false;      ///< its material is shaded by lights
@@ -26,7 +26,7 @@ struct AnalysedInstance {
 
 /// One medium as the analysis sees it.
 struct AnalysedMedium {
-  Bounds box;            ///< relative to the eye; empty if the medium is too thin to be seen
+  Box box;               ///< relative to the eye; empty if the medium is too thin to be seen
   bool visible = false;  ///< may lie before the camera; near and far plane do not cut media
   bool scatters = false;
 };
@@ -51,7 +51,7 @@ struct Analysis {
   double rows;  ///< of the picture
   std::vector<AnalysedInstance> instances;
   std::vector<AnalysedMedium> media;
-  Bounds mediaView;  ///< around what of media is before the camera
+  Box mediaView;  ///< around what of media is before the camera
 };
 
 /// What the scene calls for at one step.

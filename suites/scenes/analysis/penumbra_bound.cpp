@@ -11,10 +11,10 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kRightAngle = 1.5707963267948966;
 
-double nearest(glm::dvec3 p, const Bounds& box) {
+double nearest(glm::dvec3 p, const Box& box) {
   return glm::length(glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0)));
 }
-double farthest(glm::dvec3 p, const Bounds& box) {
+double farthest(glm::dvec3 p, const Box& box) {
   return glm::length(glm::max(glm::abs(box.low - p), glm::abs(box.high - p)));
 }
 
@@ -38,33 +38,35 @@ class Distances {
   }
 
   /// World units along the plane, of shadows that others than `receiver` throw onto its box.
-  double onPlane(uint32_t receiver, const Bounds& box, const Plane& plane) const {
+  double onPlane(uint32_t receiver, const Box& box, const Plane& plane) const {
     const double first = m_caster == receiver ? m_otherFirst : m_first;
     if (m_reach.directional()) {
-      const double drop = std::max(0.0, m_reach.toLightSpace(box).high.z - first);
+      const double drop = std::max(0.0, last(box) - first);
       const double cosine = std::min(1.0, std::abs(glm::dot(plane.normal, m_light.direction)));
       return spread(drop * cosine, std::acos(cosine), m_light.angularRadius);
     }
-    const double drop = std::max(0.0, farthest(m_position, box) - first);
+    const double drop = std::max(0.0, last(box) - first);
     if (drop == 0) return 0;
     const double sine = lightRadius(m_light) / std::max(first, 1e-300);
     if (sine >= 1) return kUnbounded;
     // The light's middle may fall beside the box, by up to the half angle.
     const double height = std::abs(glm::dot(plane.normal, m_position) - plane.offset);
     const double a = std::asin(sine);
-    const double t = std::acos(std::min(1.0, height / farthest(m_position, box))) + a;
+    const double t = std::acos(std::min(1.0, height / last(box))) + a;
     return spread(std::min(drop, height), t, a);
   }
   /// May anything, itself included, throw a shadow onto it?
-  bool mayShade(const Bounds& box) const {
-    return m_first <=
-           (m_reach.directional() ? m_reach.toLightSpace(box).high.z : farthest(m_position, box));
-  }
+  bool mayShade(const Box& box) const { return m_first <= last(box); }
 
  private:
-  void addCaster(uint32_t instance, const Bounds& box) {
-    const double at =
-        m_reach.directional() ? m_reach.toLightSpace(box).low.z : nearest(m_position, box);
+  double first(const Box& box) const {
+    return m_reach.directional() ? -m_reach.toLightSpace(box).high.z : nearest(m_position, box);
+  }
+  double last(const Box& box) const {
+    return m_reach.directional() ? -m_reach.toLightSpace(box).low.z : farthest(m_position, box);
+  }
+  void addCaster(uint32_t instance, const Box& box) {
+    const double at = first(box);
     if (at < m_first) {
       m_otherFirst = m_first;
       m_first = at, m_caster = instance;

@@ -40,7 +40,7 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
   m_bounds.grow(kSlack * m_bounds.radius());
 }
 
-bool ViewVolume::mayShow(const Bounds& box) const {
+bool ViewVolume::mayShow(const Box& box) const {
   if (box.empty()) return false;
   for (const Plane& plane : m_planes) {
     const glm::dvec3 furthest(plane.normal.x > 0 ? box.high.x : box.low.x,
@@ -59,8 +59,8 @@ bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
   });
 }
 
-Bounds ViewVolume::onScreen(const Bounds& box) const {
-  Bounds screen;
+Box ViewVolume::onScreen(const Box& box) const {
+  Box screen;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 p = m_toView * box.corner(i);
     if (!m_orthographic && -p.z < m_near) return {{-1, -1, 0}, {1, 1, 0}};
@@ -72,13 +72,13 @@ Bounds ViewVolume::onScreen(const Bounds& box) const {
   return screen;
 }
 
-double ViewVolume::extent(const Bounds& box) const {
-  const Bounds seen = onScreen(box).clippedTo({{-1, -1, 0}, {1, 1, 0}});
+double ViewVolume::extent(const Box& box) const {
+  const Box seen = onScreen(box).clippedTo({{-1, -1, 0}, {1, 1, 0}});
   const glm::dvec3 size = seen.high - seen.low;
   return seen.empty() ? 0 : 0.5 * std::hypot(size.x * m_scaleY / m_scaleX, size.y);
 }
 
-double ViewVolume::heightsPerUnit(const Bounds& box) const {
+double ViewVolume::heightsPerUnit(const Box& box) const {
   if (m_orthographic) return 0.5 * m_scaleY;
   double depth = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i) depth = std::min(depth, -(m_toView * box.corner(i)).z);

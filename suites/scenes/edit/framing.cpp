@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/mesh_tools.h"
+#include "techniques/scene/box.h"
 
 namespace sb {
 
@@ -45,7 +45,7 @@ Extent extentOf(const Scene& scene, const glm::dmat3& toAxes, glm::dvec3 center,
       if (!used[i]) used[i] = 1, extent.add(linear * glm::dvec3(mesh.positions[i]) + shift, k);
   }
   for (const Medium& medium : scene.media) {
-    const Bounds box = transformedBox(glm::dvec3(0), glm::dvec3(1), medium.boxToWorld, center);
+    const Box box = transformedBox(kMediumBox, medium.boxToWorld, center);
     for (int i = 0; i < 8; ++i) extent.add(toAxes * box.corner(i), k);
   }
   return extent;
@@ -54,7 +54,7 @@ Extent extentOf(const Scene& scene, const glm::dmat3& toAxes, glm::dvec3 center,
 }  // namespace
 
 Camera framingCamera(const Scene& scene) {
-  const Bounds box = sceneBox(scene);
+  const Box box = sceneBox(scene);
   const glm::dvec3 center = box.empty() ? glm::dvec3(0) : box.center();
   const double radius = box.empty() || box.radius() == 0 ? 1.0 : box.radius();
   Camera camera;
@@ -90,7 +90,7 @@ void addDaylight(Scene& scene) {
 }
 
 void addGround(Scene& scene, double size) {
-  const Bounds box = sceneBox(scene);
+  const Box box = sceneBox(scene);
   const double radius = box.empty() || box.radius() == 0 ? 1.0 : box.radius();
   const glm::dvec3 low = box.empty() ? glm::dvec3(0) : box.low;
   const glm::dvec3 center = box.empty() ? glm::dvec3(0) : box.center();

@@ -8,10 +8,10 @@
 #include "base/number.h"
 #include "base/pattern.h"
 #include "base/text.h"
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/camera_path.h"
 #include "suites/scenes/edit/framing.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/box.h"
 #include "techniques/scene/placed_scene.h"
 
 namespace sb {
@@ -42,7 +42,7 @@ void editCamera(Scene& scene, const SceneEdit& edit) {
   if (!edit.names.empty()) return showCamera(scene, edit);
   const glm::dvec3 eye = vectorOf(*edit.find("eye")), at = vectorOf(*edit.find("at"));
   if (eye == at) throw InputError(edit.where(), "eye and at are the same point");
-  const Bounds bounds = sceneBox(scene);
+  const Box bounds = sceneBox(scene);
   const double farthest =
       bounds.empty() ? 1000 : glm::length(bounds.center() - eye) + bounds.radius();
   Camera camera;

@@ -1,10 +1,10 @@
 // The node tree: instances, lights, cameras and media with their place in the world, in double.
 #include <cmath>
 
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/gltf/deform.h"
 #include "suites/scenes/gltf/roots.h"
 #include "suites/scenes/gltf/variants.h"
+#include "techniques/scene/box.h"
 
 namespace sb {
 namespace {
@@ -93,7 +93,7 @@ void addMesh(GltfContext& context, NodeTree& tree, size_t index,
 
 void checkReach(GltfContext& context, const std::string& field, const Mesh& mesh,
                 const glm::dmat4& toWorld) {
-  const Bounds box = transformedBox(mesh.boundsMin, mesh.boundsMax, toWorld);
+  const Box box = transformedBox(meshBox(mesh), toWorld);
   if (!(glm::length(box.low) < 1e18 && glm::length(box.high) < 1e18))
     context.fail(field, "shows a mesh beyond 1e18 world units from the origin, expected less");
 }

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <optional>
 
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/gltf/roots.h"
+#include "techniques/scene/box.h"
 #include "techniques/scene/light_area.h"
 
 namespace sb {
@@ -111,7 +111,7 @@ void addCamera(GltfContext& context, const std::string& node, int index,
 }
 
 void closeFarPlanes(Scene& scene) {
-  const Bounds box = sceneBox(scene);
+  const Box box = sceneBox(scene);
   for (Camera& camera : scene.cameras) {
     if (camera.farPlane > 0) continue;
     camera.farPlane = 10 * camera.nearPlane;

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.h"
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/scene_edit.h"
 #include "suites/scenes/edit/world_path.h"
 #include "suites/scenes/gltf/loader.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/box.h"
 #include "techniques/scene/placed_scene.h"
 
 namespace sb {

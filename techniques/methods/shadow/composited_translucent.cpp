@@ -47,7 +47,7 @@ class CompositedTranslucent final : public ShadowTechnique {
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       const LightView& view = m_maps->views()[i];
-      if (view.layer() < 0) continue;
+      if (view.layer < 0) continue;
       frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
                  [&](rhi::CommandList& commands) { m_opaque->draw(commands, i); });
       if (m_colours) m_colours->record(frame, i);

@@ -41,7 +41,7 @@ class LayeredStochasticShadowMap final : public ShadowTechnique {
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       const LightView& view = m_maps->views()[i];
-      if (view.layer() < 0) continue;
+      if (view.layer < 0) continue;
       frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
                  [&](rhi::CommandList& commands) {
                    m_maps->plain(i).draw(commands, m_opaque, view.opaque, m_copies);

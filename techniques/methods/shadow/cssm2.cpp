@@ -48,7 +48,7 @@ class ColouredStochasticShadowMap final : public ShadowTechnique {
 
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i)
-      if (m_maps->views()[i].layer() >= 0) recordView(frame, i);
+      if (m_maps->views()[i].layer >= 0) recordView(frame, i);
   }
 
   VisibilityInputs inputs() const override {

@@ -32,7 +32,7 @@ class StochasticShadowMap final : public ShadowTechnique {
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i) {
       const LightView& view = m_maps->views()[i];
-      if (view.layer() < 0) continue;
+      if (view.layer < 0) continue;
       // Opaque casters first: what they hide is tested away early and could not win (spec 03).
       frame.pass({.label = "shadow map", .depth = m_maps->depthAttachment(view)}, PassGroup::Shadow,
                  [&](rhi::CommandList& commands) {

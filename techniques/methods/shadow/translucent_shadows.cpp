@@ -38,7 +38,7 @@ class TranslucentShadows final : public ShadowTechnique {
 
   void record(Frame& frame) override {
     for (size_t i = 0; i < m_maps->views().size(); ++i)
-      if (m_maps->views()[i].layer() >= 0) recordView(frame, i);
+      if (m_maps->views()[i].layer >= 0) recordView(frame, i);
   }
 
   VisibilityInputs inputs() const override {
@@ -100,7 +100,7 @@ class TranslucentShadows final : public ShadowTechnique {
                [&](rhi::CommandList& commands) {
                  m_maps->surfaces(i).draw(commands, m_depthPipeline, view.translucent);
                });
-    recordColourPass(frame, *m_maps, view, m_colour, uint32_t(view.layer()),
+    recordColourPass(frame, *m_maps, view, m_colour, uint32_t(view.layer),
                      [&](rhi::CommandList& commands) {
                        if (m_order.empty())
                          m_maps->surfaces(i).draw(commands, m_colourPipeline, view.translucent);

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "suites/scenes/analysis/bounds.h"
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/gltf/source/file_io.h"
 #include "suites/scenes/gltf/source/image_codec.h"
 #include "suites/scenes/gltf/source/source.h"
 #include "suites/scenes/gltf/write/export.h"
 #include "techniques/plan/error.h"
+#include "techniques/scene/box.h"
 
 namespace sb {
 namespace {
