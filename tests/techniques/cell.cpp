@@ -41,7 +41,9 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
   return out;
 }
 
-RendererDesc descOf(const CellOptions& options) {
+}  // namespace
+
+RendererDesc rendererDescOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   const std::string technique = options.entry ? "none" : options.technique;
   if (technique != "none") given.try_emplace("size", "256");
@@ -56,8 +58,6 @@ RendererDesc descOf(const CellOptions& options) {
   return desc;
 }
 
-}  // namespace
-
 const rhi::ShaderLibrary& productionShaders() {
   static const rhi::ShaderLibrary library = [] {
     rhi::ShaderLibrary lib;
@@ -70,7 +70,7 @@ const rhi::ShaderLibrary& productionShaders() {
 
 Cell::Cell(CellDevice& device, Scene scene, const CellOptions& options)
     : m_device(device), m_scene(std::move(scene)), m_options(options) {
-  const RendererDesc desc = descOf(options);
+  const RendererDesc desc = rendererDescOf(options);
   m_knobs = desc.knobs;
   m_stage.emplace(m_scene, options.size);
   m_renderer = m_stage->renderer(device.context(), desc);
