@@ -1,5 +1,6 @@
-// A camera that is set freely: frames that nobody waits for, in an order that is no path, are bit by
-// bit the pictures of renderers prepared for each place alone; and nothing is made after preparing.
+// A camera that is set freely: frames that nobody waits for, in an order that is no path, are bit
+// by bit the pictures of renderers prepared for each place alone; and nothing is made after
+// preparing.
 #include "suites/scenes/analysis/free_views.h"
 #include "techniques/draw/texels.h"
 #include "tests/techniques/gpu_cell.h"
@@ -10,29 +11,33 @@ using namespace sb::test;
 
 namespace {
 
-constexpr rhi::Extent2D kSize = {48, 36};
+constexpr rhi::Extent2D kShownSize = {48, 36};
 
-Camera wide(Camera camera) {
+Camera throughWideLens(Camera camera) {
   camera.fovY = 1.75;
   return camera;
 }
 
 /// From outside, near, behind, through another lens, and past everything.
-std::vector<Camera> places() {
+std::vector<Camera> cameraPlaces() {
   Camera parallel = lookAt({-3, 6, 2}, {0, 0.5, 0});
   parallel.orthographic = true;
   parallel.halfHeight = 2.5;
-  return {lookAt({2.5, 3, 4}, {0, 0.25, 0}),   lookAt({40, 30, -20}, {0, 0, 0}),
-          lookAt({0.5, 1.25, 0.75}, {0, 1, 0}), lookAt({20, 5, 20}, {40, 10, 40}),
-          lookAt({-2, 2, -5}, {0.5, 0.5, 0.5}), wide(lookAt({-4, 1, 3}, {2, 1, 0})),
-          parallel,                             lookAt({4.5, 2.5, 3.5}, {3.5, 1, 2})};
+  return {lookAt({2.5, 3, 4}, {0, 0.25, 0}),
+          lookAt({40, 30, -20}, {0, 0, 0}),
+          lookAt({0.5, 1.25, 0.75}, {0, 1, 0}),
+          lookAt({20, 5, 20}, {40, 10, 40}),
+          lookAt({-2, 2, -5}, {0.5, 0.5, 0.5}),
+          throughWideLens(lookAt({-4, 1, 3}, {2, 1, 0})),
+          parallel,
+          lookAt({4.5, 2.5, 3.5}, {3.5, 1, 2})};
 }
 
-rhi::Texture pictureTexture(rhi::Device& device) {
+rhi::Texture shownTexture(rhi::Device& device) {
   return device.createTexture({.label = "shown picture",
                                .format = CameraPass::kColorFormat,
-                               .width = kSize.width,
-                               .height = kSize.height,
+                               .width = kShownSize.width,
+                               .height = kShownSize.height,
                                .use = rhi::TextureUse::CopyTarget | rhi::TextureUse::CopySource |
                                       rhi::TextureUse::Sampled});
 }
@@ -40,7 +45,7 @@ rhi::Texture pictureTexture(rhi::Device& device) {
 struct FreeCell {
   FreeCell(CellDevice& device, const Scene& s, const CellOptions& options)
       : scene(s),
-        views(scene, double(kSize.width) / kSize.height, kSize.height),
+        views(scene, double(kShownSize.width) / kShownSize.height, kShownSize.height),
         gpuScene(device.device, scene),
         renderer(device.context(), gpuScene, views.anywhere(), rendererDescOf(options)) {}
   Scene scene;
@@ -49,23 +54,25 @@ struct FreeCell {
   Renderer renderer;
 };
 
-std::string nameOf(const CellOptions& options) {
+std::string nameOfCell(const CellOptions& options) {
   std::string name = options.technique + "+" + options.transparency;
   for (const auto& [knob, value] : options.knobs) name += " " + knob + "=" + value;
   return name;
 }
 
-CellOptions optionsOf(const std::string& technique, std::map<std::string, std::string> knobs = {},
-                      const std::string& transparency = "Sorted") {
+CellOptions shownBy(const std::string& technique, std::map<std::string, std::string> knobs = {},
+                    const std::string& transparency = "Sorted") {
   if (technique != "none") knobs.insert({{"size", "96"}, {"kernel", "3"}});
-  return {.technique = technique, .knobs = std::move(knobs), .size = kSize,
+  return {.technique = technique,
+          .knobs = std::move(knobs),
+          .size = kShownSize,
           .transparency = transparency};
 }
 
 /// `scene` moves along its path while the camera jumps; each place is shown twice.
 void expectPicturesOfStandingCameras(rhi::Device& device, const Scene& scene,
                                      const CellOptions& options) {
-  SCOPED_TRACE(nameOf(options));
+  SCOPED_TRACE(nameOfCell(options));
   CellDevice& cells = cellDevice(device);
   FreeCell free(cells, scene, options);
   struct Shown {
@@ -75,8 +82,8 @@ void expectPicturesOfStandingCameras(rhi::Device& device, const Scene& scene,
   };
   std::vector<Shown> shown;
   const uint32_t steps = std::max<uint32_t>(1, uint32_t(scene.path.size()));
-  for (const Camera& camera : places())
-    shown.push_back({camera, uint32_t(shown.size() * 3) % steps, pictureTexture(device)});
+  for (const Camera& camera : cameraPlaces())
+    shown.push_back({camera, uint32_t(shown.size() * 3) % steps, shownTexture(device)});
   const auto memory = device.ledger().bytesByLabel();
   const size_t pipelines = cells.pipelines.size();
   rhi::Ticket last = 0;
@@ -104,30 +111,30 @@ void expectPicturesOfStandingCameras(rhi::Device& device, const Scene& scene,
 
 GPU_TEST(FreeCamera, ShadowTechniquesShowWhatAStandingCameraSees) {
   for (const ShadowEntry* technique : shadowTechniques())
-    expectPicturesOfStandingCameras(device(), furnished(true), optionsOf(technique->info.name));
+    expectPicturesOfStandingCameras(device(), furnished(true), shownBy(technique->info.name));
 }
 
 GPU_TEST(FreeCamera, TransparencyTechniquesShowWhatAStandingCameraSees) {
   for (const TransparencyEntry* technique : transparencyTechniques())
     expectPicturesOfStandingCameras(device(), furnished(false),
-                                    optionsOf("ShadowMap", {}, technique->info.name));
+                                    shownBy("ShadowMap", {}, technique->info.name));
   expectPicturesOfStandingCameras(device(), furnished(false),
-                                  optionsOf("ShadowMap", {{"sort", "triangle"}}));
+                                  shownBy("ShadowMap", {{"sort", "triangle"}}));
 }
 
 GPU_TEST(FreeCamera, OrdersAndPartitionsFollowTheCamera) {
   for (const char* order : {"nearest", "triangle"})
     expectPicturesOfStandingCameras(
         device(), furnished(true),
-        optionsOf("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
+        shownBy("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
   for (const char* partition : {"peeled", "batches", "source"})
     expectPicturesOfStandingCameras(device(), furnished(true),
-                                    optionsOf("CompositedTranslucent", {{"partition", partition}}));
+                                    shownBy("CompositedTranslucent", {{"partition", partition}}));
   expectPicturesOfStandingCameras(device(), furnished(true),
-                                  optionsOf("CompositedTranslucent", {{"levels", "2"}}));
+                                  shownBy("CompositedTranslucent", {{"levels", "2"}}));
 }
 
 GPU_TEST(FreeCamera, TheWorldMovesOn) {
   for (const ShadowEntry* technique : shadowTechniques())
-    expectPicturesOfStandingCameras(device(), inhabited(true), optionsOf(technique->info.name));
+    expectPicturesOfStandingCameras(device(), inhabited(true), shownBy(technique->info.name));
 }
