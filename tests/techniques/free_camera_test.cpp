@@ -20,15 +20,16 @@ Camera throughWideLens(Camera camera) {
   return camera;
 }
 
-/// From outside, near, behind, through another lens, and past everything.
+/// Past everything (so that the first frame draws into no map), from outside, near, behind, and
+/// through other lenses.
 std::vector<Camera> cameraPlaces() {
   Camera parallel = lookAt({-3, 6, 2}, {0, 0.5, 0});
   parallel.orthographic = true;
   parallel.halfHeight = 2.5;
-  return {lookAt({2.5, 3, 4}, {0, 0.25, 0}),
+  return {lookAt({20, 5, 20}, {40, 10, 40}),
+          lookAt({2.5, 3, 4}, {0, 0.25, 0}),
           lookAt({40, 30, -20}, {0, 0, 0}),
           lookAt({0.5, 1.25, 0.75}, {0, 1, 0}),
-          lookAt({20, 5, 20}, {40, 10, 40}),
           lookAt({-2, 2, -5}, {0.5, 0.5, 0.5}),
           throughWideLens(lookAt({-4, 1, 3}, {2, 1, 0})),
           parallel,
@@ -100,7 +101,7 @@ void expectPicturesOfStandingCameras(rhi::Device& device, const Scene& scene,
   device.wait(last);
   EXPECT_EQ(device.ledger().bytesByLabel(), memory);
   EXPECT_EQ(cells.pipelines.size(), pipelines);
-  // Places 3 and 1 show nothing, and next to nothing; all others something of their own.
+  // All but one, perhaps, show something of their own.
   std::set<std::vector<std::byte>> different;
   for (const Shown& s : shown) different.insert(device.read(s.picture));
   EXPECT_GE(different.size(), shown.size() - 1);
