@@ -57,7 +57,7 @@ void expectWithin(const ViewEffects& view, const ViewEffects& all) {
     EXPECT_TRUE(within(light.perforatedCasters, most.perforatedCasters));
     EXPECT_TRUE(within(light.translucentCasters, most.translucentCasters));
     EXPECT_TRUE(within(light.media, most.media));
-    EXPECT_LE(light.penumbra, most.penumbra);
+    EXPECT_LE(light.penumbra, most.penumbra * (1 + 1e-12));
   }
 }
 
