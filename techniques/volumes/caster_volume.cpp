@@ -81,7 +81,7 @@ CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32
                  .parts = {VOLUME_SIDES}};
   // Counting before the receiver ends at the caster itself, where that is seen whole, and as part
   // of a solid.
-  if (v.count == DepthCount::Fail || s.choice.finite || !solid || casts == CASTS_ALL) {
+  if (v.count == DepthCount::Fail || s.choice.finite || !solid) {
     if (casts != CASTS_BACK) v.parts.push_back(VOLUME_CAPS);
     if (casts != CASTS_LIGHT) v.parts.push_back(VOLUME_TURNED);
   }

@@ -3,28 +3,13 @@
 namespace sb {
 namespace {
 
-using rhi::CompareOp;
 using rhi::StencilOp;
 
 /// Depth is 1 near .. 0 far. Volumes before the receiver are strictly before it: a cap that lies on
-/// its own surface counts as behind, so that a surface that faces the light is lit, and one of a
-/// solid that does not is in the solid's shadow.
-CompareOp before(bool ownSurfaceLit) {
-  return ownSurfaceLit ? CompareOp::GreaterOrEqual : CompareOp::Greater;
-}
-CompareOp behind(bool ownSurfaceLit) {
-  return ownSurfaceLit ? CompareOp::Less : CompareOp::LessOrEqual;
-}
+/// its own surface counts as behind, so that what faces the light is lit.
+constexpr rhi::CompareOp kBefore = rhi::CompareOp::Greater, kBehind = rhi::CompareOp::LessOrEqual;
 
 }  // namespace
-
-VolumeCounter::Variant VolumeCounter::variant(const CasterVolume& volume, uint32_t part,
-                                              rhi::CullMode cull) const {
-  // Where all triangles cast, one that was turned over does not darken its own unlit side: that is
-  // not the volume's to say, as it is not a shadow ray's.
-  const bool own = part == VOLUME_TURNED && volume.data.counts.z == CASTS_ALL;
-  return {part, volume.count, own, cull};
-}
 
 std::vector<rhi::CullMode> VolumeCounter::culls() const {
   if (m_faces == VolumeFaces::Both) return {rhi::CullMode::None};
@@ -45,8 +30,7 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
   if (m_kind == CounterKind::Float) {
     desc.fragment = &m_context.shaders.get("common/volume_count.frag");
     desc.constants.push_back({18, frontAdds});
-    desc.depth = {.test = true,
-                  .compare = pass ? before(variant.ownSurfaceLit) : behind(variant.ownSurfaceLit)};
+    desc.depth = {.test = true, .compare = pass ? kBefore : kBehind};
     desc.targets = {{.format = kFloatFormat,
                      .blend = {.enabled = true,
                                .dstColor = rhi::BlendFactor::One,
@@ -55,7 +39,7 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
     const auto face = [&](StencilOp op) {
       return pass ? rhi::StencilFace{.pass = op} : rhi::StencilFace{.depthFail = op};
     };
-    desc.depth = {.test = true, .compare = before(variant.ownSurfaceLit)};
+    desc.depth = {.test = true, .compare = kBefore};
     desc.stencil = {.test = true,
                     .front = face(frontAdds ? StencilOp::IncrementWrap : StencilOp::DecrementWrap),
                     .back = face(frontAdds ? StencilOp::DecrementWrap : StencilOp::IncrementWrap)};
@@ -68,7 +52,7 @@ void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<Ligh
     for (const CasterVolume& volume : light.casters)
       for (const uint32_t part : volume.parts)
         for (const rhi::CullMode cull : culls()) {
-          const Variant v = variant(volume, part, cull);
+          const Variant v{part, volume.count, cull};
           if (!m_pipelines.contains(v)) m_pipelines[v] = m_context.pipeline(desc(volumes, v));
         }
 }
@@ -78,7 +62,7 @@ void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volume
   for (const rhi::CullMode cull : culls())
     for (const CasterVolume& volume : light.casters)
       for (const uint32_t part : volume.parts)
-        volumes.draw(commands, m_pipelines.at(variant(volume, part, cull)), volume, part);
+        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), volume, part);
 }
 
 }  // namespace sb

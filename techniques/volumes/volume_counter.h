@@ -34,11 +34,9 @@ class VolumeCounter {
   struct Variant {
     uint32_t part;
     DepthCount count;
-    bool ownSurfaceLit;  ///< a cap hides nothing of the surface that it lies on
     rhi::CullMode cull;
     auto operator<=>(const Variant&) const = default;
   };
-  Variant variant(const CasterVolume& volume, uint32_t part, rhi::CullMode cull) const;
   std::vector<rhi::CullMode> culls() const;
   rhi::GraphicsPipelineDesc desc(const ShadowVolumes& volumes, const Variant& variant) const;
 

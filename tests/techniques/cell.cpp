@@ -1,5 +1,6 @@
 #include "tests/techniques/cell.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -44,7 +45,11 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
 RendererDesc descOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   const std::string technique = options.entry ? "none" : options.technique;
-  if (technique != "none") given.try_emplace("size", "256");
+  if (!options.entry) {
+    const auto& knobs = shadowTechnique(technique).info.knobs;
+    if (std::ranges::find(knobs, "size", &KnobInfo::name) != knobs.end())
+      given.try_emplace("size", "256");
+  }
   RendererDesc desc = rendererDesc({.technique = technique,
                                     .transparency = options.transparency,
                                     .knobs = {given.begin(), given.end()},

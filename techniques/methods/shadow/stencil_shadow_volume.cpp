@@ -151,8 +151,7 @@ class StencilShadowVolume final : public ShadowTechnique {
                 .colors = std::span(&counts, m_float ? 1 : 0),
                 .depth = rhi::DepthAttachment{.view = {.texture = layer.depth},
                                               .load = rhi::LoadOp::Load,
-                                              .readOnly = true,
-                                              .stencilReadOnly = m_float},
+                                              .readOnly = true},
                 .reads = reads},
                PassGroup::Shadow,
                [&](rhi::CommandList& commands) { m_counter->draw(commands, *m_volumes, light); });
