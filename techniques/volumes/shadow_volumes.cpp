@@ -97,9 +97,13 @@ void ShadowVolumes::createBuffers() {
   m_volumeBlocks = make("shadow volumes", m_mostVolumes * stride, U::Uniform);
   // The last volume may have no items and yet needs a binding.
   if (listed()) m_itemLists = make("shadow volume lists", m_mostItems * 4 + 4, U::Storage);
-  if (m_builder == VolumeBuilder::Compute)
-    m_arguments = make("shadow volume arguments", m_mostVolumes * kArgumentWords * 4,
-                       U::Storage | U::Indirect);
+  if (m_builder != VolumeBuilder::Compute) return;
+  const uint64_t bytes = m_mostVolumes * kArgumentWords * sizeof(uint32_t);
+  m_arguments = make("shadow volume arguments", bytes, U::Storage | U::Indirect);
+  m_noArguments = make("no shadow volume arguments", bytes, U::CopySource);
+  std::vector<uint32_t> none;  // vertices, instances, first of each
+  for (uint64_t i = 0; i < m_mostVolumes * VOLUME_PARTS; ++i) none.insert(none.end(), {0, 1, 0, 0});
+  if (!none.empty()) m_context.device.upload(m_noArguments, 0, std::as_bytes(std::span(none)));
 }
 
 void ShadowVolumes::bind() {
@@ -147,10 +151,8 @@ void ShadowVolumes::moved(Frame& frame) {
 
 void ShadowVolumes::record(Frame& frame) {
   if (m_builder != VolumeBuilder::Compute || m_lights.empty()) return;
-  std::vector<uint32_t> none;
-  for (size_t i = 0; i < m_firstItem.size() * VOLUME_PARTS; ++i)
-    none.insert(none.end(), {0, 1, 0, 0});
-  frame.commands().write(m_arguments, 0, std::as_bytes(std::span(none)));
+  frame.commands().copy(m_noArguments, 0, m_arguments, 0,
+                        m_firstItem.size() * kArgumentWords * sizeof(uint32_t));
   const rhi::ResourceUse writes[] = {rhi::use(m_itemLists.id(), rhi::Access::StorageWrite),
                                      rhi::use(m_arguments.id(), rhi::Access::StorageWrite)};
   frame.pass({.label = "silhouettes", .compute = true, .writes = writes}, PassGroup::Shadow,

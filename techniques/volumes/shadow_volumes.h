@@ -60,7 +60,7 @@ class ShadowVolumes {
   uint64_t m_itemCount = 0;                           ///< of this step
   uint64_t m_mostItems = 0, m_mostVolumes = 0;        ///< of any step
   std::vector<std::vector<rhi::Binding>> m_bindings;  ///< of each volume
-  rhi::Buffer m_volumeBlocks, m_itemLists, m_arguments;
+  rhi::Buffer m_volumeBlocks, m_itemLists, m_arguments, m_noArguments;
   rhi::PipelineId m_append;
 };
 

@@ -1,5 +1,6 @@
 // Stencil shadow volumes (spec 07): exact to the pixel for any caster, any light and any eye; the
 // same picture however they are built and counted; what settings break by construction.
+#include "suites/scenes/edit/transform.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "suites/scenes/procedural/shapes.h"
@@ -63,8 +64,11 @@ const std::vector<Setting> kBuilds = {
 }  // namespace
 
 GPU_TEST(ShadowVolumes, AreExactForEveryLight) {
-  for (const Setting& setting : std::vector<Setting>{
-           {}, {{"count", "zfail"}}, {{"casts", "all"}}, {{"sides", "one"}}, {{"counter", "float"}}}) {
+  for (const Setting& setting : std::vector<Setting>{{},
+                                                     {{"count", "zfail"}},
+                                                     {{"casts", "all"}},
+                                                     {{"sides", "one"}},
+                                                     {{"counter", "float"}}}) {
     Cell cell(cellDevice(device()), stage(true), volumes(setting));
     expectExact(cell, setting.empty() ? "auto" : setting.begin()->second, 300);
   }
@@ -103,5 +107,151 @@ GPU_TEST(ShadowVolumes, EveryBuildDrawsTheSameBits) {
     EXPECT_EQ(known(scene, {{"casts", "all"}}), picture);
     EXPECT_EQ(known(scene, {{"sides", "one"}}), picture);
     EXPECT_EQ(known(scene, {{"counter", "float"}}), picture);
+  }
+}
+
+GPU_TEST(ShadowVolumes, LightsAndEyesWithinCastersAreRight) {
+  // A light in a closed box over a floor, seen from outside and from within; the sun over a room
+  // without windows.
+  const auto scene = [](glm::dvec3 eye, glm::dvec3 target, bool lamp, bool inward = false) {
+    Scene s = floorScene(false);
+    const uint32_t box = addBox(s, 0, {-1, 0.5f, -1}, {1, 2.5f, 1});
+    Mesh& mesh = s.meshes[s.instances[box].mesh];
+    for (size_t i = 0; inward && i < mesh.indices.size(); i += 3)
+      std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    addBox(s, 0, {-0.5f, 0.6f, -0.5f}, {0.25f, 1, 0.25f});
+    addLight(s, lamp ? pointLight({0.5, 2, 0.5}, 10) : sun({0.25, -1, 0.125}));
+    s.cameras[0] = lookAt(eye, target);
+    return s;
+  };
+  const glm::dvec3 outside(2.5, 3, 3), inside(0.8, 2.3, 0.8), middle(0, 0.8, 0);
+  for (const Setting& setting : std::vector<Setting>{{}, {{"count", "zfail"}}}) {
+    const auto exact = [&](const Scene& s, const char* what) {
+      Cell cell(cellDevice(device()), s, volumes(setting));
+      expectExact(cell, what);
+    };
+    exact(scene(outside, middle, true), "a lamp in a box");
+    exact(scene(outside, middle, false), "a box in the sun");
+    Scene doubled = scene(inside, middle, true);
+    doubled.materials[0].doubleSided = true;
+    exact(doubled, "a room with a lamp");
+    Scene dark = scene(inside, middle, false);
+    dark.materials[0].doubleSided = true;
+    exact(dark, "a room in the sun");
+    exact(scene(outside, middle, true, true), "a box inside out with a lamp");
+    exact(scene(outside, middle, false, true), "a box inside out in the sun");
+    exact(scene(inside, middle, false, true), "a room inside out in the sun");
+  }
+}
+
+GPU_TEST(ShadowVolumes, AnySoupIsRight) {
+  // Boxes without a wall, triangles twice, turned over and without area, three at an edge.
+  Scene scene = stage(true);
+  Mesh& box = scene.meshes[scene.instances[1].mesh];
+  box.indices.resize(box.indices.size() - 6);
+  box.triangleKeys.resize(box.triangleKeys.size() - 2);
+  for (const uint32_t i : {0u, 1u, 2u, 3u, 5u, 4u, 7u, 7u, 8u, 0u, 2u, 20u})
+    box.indices.push_back(i);
+  for (int i = 0; i < 4; ++i) box.triangleKeys.push_back(uint32_t(100 + i));
+  for (Material& material : scene.materials) material.doubleSided = true;
+  for (const Setting& setting :
+       std::vector<Setting>{{}, {{"count", "zfail"}}, {{"counter", "float"}}}) {
+    Cell cell(cellDevice(device()), scene, volumes(setting));
+    expectExact(cell, setting.empty() ? "soup" : setting.begin()->second, 300);
+  }
+  Scene doubled = stage(true);
+  duplicateOpaque(doubled);
+  insertDegenerate(doubled);
+  Cell once(cellDevice(device()), stage(true), volumes());
+  Cell twice(cellDevice(device()), doubled, volumes());
+  EXPECT_EQ(once.picture().rgba, twice.picture().rgba);
+}
+
+GPU_TEST(ShadowVolumes, SingleSidedCastersThatTheEyeSeesThroughStillCast) {
+  // From below, the sheet above the floor is not drawn; its shadow on the wall is.
+  Scene scene;
+  const uint32_t grey = add(scene, matte());
+  addQuad(scene, grey, {0, 1, -2}, {3, 0, 0}, {0, 3, 0});
+  addHorizontal(scene, grey, {0, 1, -1}, 1, 0.9f);
+  addLight(scene, sun({0, -1, -1}));
+  scene.cameras.push_back(lookAt({0, 0.25, 3}, {0, 1, -2}, 1.0));
+  for (const char* count : {"auto", "zpass", "zfail"}) {
+    Cell cell(cellDevice(device()), scene, volumes({{"count", count}}));
+    expectExact(cell, count);
+  }
+}
+
+GPU_TEST(ShadowVolumes, OrthographicEyesSeeTheSame) {
+  Scene scene = stage(true);
+  Camera camera = lookAt({2.5, 3, 4}, {0, 0.25, 0});
+  camera.orthographic = true;
+  camera.halfHeight = 2;
+  scene.cameras[0] = camera;
+  for (const char* count : {"auto", "zpass", "zfail"}) {
+    Cell cell(cellDevice(device()), scene, volumes({{"count", count}}));
+    expectExact(cell, count, 300);
+  }
+}
+
+GPU_TEST(ShadowVolumes, TranslucentLayersThatArePeeledReceive) {
+  Scene scene = stage(true);
+  addQuad(scene, add(scene, glass(0.5f, glm::vec3(1))), {0.25f, 0.75f, 1.5f}, {2, 0, 0},
+          {0, 0.75f, 0.25f});
+  Cell cell(cellDevice(device()), scene,
+            {.technique = "StencilShadowVolume", .size = {96, 64}, .transparency = "DepthPeeling"});
+  for (const uint32_t layer : {1u, 2u}) {
+    const ShadowMismatch m = shadowMismatch(cell, layer);
+    EXPECT_EQ(m.elsewhere, 0u) << layer << ", " << m.first;
+    EXPECT_LE(double(m.atEdges), double(m.edge) / 5 / 64 + 4) << layer;
+    EXPECT_GE(m.dark, 100u) << layer;
+  }
+}
+
+GPU_TEST(ShadowVolumes, WhatSettingsBreakIsWhatTheySay) {
+  // Counting before the receiver, with the eye in a volume.
+  Cell pass(cellDevice(device()), eyeInShadow(), volumes({{"count", "zpass"}}));
+  EXPECT_GT(shadowMismatch(pass).elsewhere, 500u);
+  // One side of an open mesh: a sheet with its back to the light.
+  Scene sheet = floorScene(false);
+  addHorizontal(sheet, 0, {0, 1, 0}, 1, 1);
+  addLight(sheet, sun({0, -1, 0}));
+  const auto dark = [&](const Scene& scene, Setting knobs) {
+    Cell cell(cellDevice(device()), scene, volumes(std::move(knobs), {40, 40}));
+    return shadowMismatch(cell);
+  };
+  EXPECT_EQ(dark(sheet, {}).elsewhere, 0u);
+  EXPECT_EQ(dark(sheet, {{"casts", "light"}}).elsewhere, 0u);
+  EXPECT_GT(dark(sheet, {{"casts", "back"}}).elsewhere, 20u);
+  // A lamp in a box: no triangle faces outward to it.
+  Scene lamp = floorScene(false);
+  addBox(lamp, 0, {-1, 1, -1}, {1, 3, 1});
+  addLight(lamp, pointLight({0, 2, 0}, 10));
+  EXPECT_EQ(dark(lamp, {}).elsewhere, 0u);
+  EXPECT_EQ(dark(lamp, {{"casts", "back"}}).elsewhere, 0u);
+  EXPECT_GT(dark(lamp, {{"casts", "light"}}).elsewhere, 500u);
+}
+
+GPU_TEST(ShadowVolumes, CountersWrapWhereTheySay) {
+  for (const uint32_t layers : {255u, 256u, 257u, 512u}) {
+    Scene scene = floorScene();
+    Mesh sheets = quadMesh(0, {0, 1, 0}, {1, 0, 0}, {0, 0, -1});
+    for (uint32_t i = 1; i < layers; ++i) {
+      const auto first = uint32_t(sheets.positions.size());
+      for (uint32_t c = 0; c < 4; ++c) {
+        sheets.positions.push_back(sheets.positions[c] + glm::vec3(0, float(i) / 256, 0));
+        sheets.normals.push_back(sheets.normals[c]);
+      }
+      for (uint32_t c = 0; c < 6; ++c) sheets.indices.push_back(sheets.indices[c] + first);
+      for (uint32_t c = 0; c < 2; ++c) sheets.triangleKeys.push_back(2 * i + c);
+    }
+    sheets.uv0.clear();
+    sheets.boundsMax.y = 4;
+    place(scene, add(scene, sheets));
+    for (const char* counter : {"stencil8", "float"}) {
+      Cell cell(cellDevice(device()), scene, volumes({{"counter", counter}}, {40, 40}));
+      const float middle = cell.visibility()[0][4 * (20 * 40 + 20)];
+      const bool wraps = std::string(counter) == "stencil8" && layers % 256 == 0;
+      EXPECT_EQ(middle, wraps ? 1.0f : 0.0f) << layers << " " << counter;
+    }
   }
 }

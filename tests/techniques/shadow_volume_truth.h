@@ -8,12 +8,12 @@ namespace sb::test {
 
 /// Of the first opaque surface, all lights together.
 struct ShadowMismatch {
-  size_t compared = 0;  ///< pixels of which the truth asks for the light
-  size_t dark = 0;      ///< of these in shadow
-  size_t edge = 0;      ///< pixels of shadow edges and silhouettes
-  size_t atEdges = 0;   ///< wrong among these
-  size_t elsewhere = 0; ///< wrong at other pixels
-  std::string first;    ///< of those elsewhere
+  size_t compared = 0;   ///< pixels of which the truth asks for the light
+  size_t dark = 0;       ///< of these in shadow
+  size_t edge = 0;       ///< pixels of shadow edges and silhouettes
+  size_t atEdges = 0;    ///< wrong among these
+  size_t elsewhere = 0;  ///< wrong at other pixels
+  std::string first;     ///< of those elsewhere
 };
 
 inline ShadowMismatch shadowMismatch(Cell& cell, uint32_t layer = 0) {
