@@ -38,8 +38,9 @@ struct VolumeData {
   vec4 row1;
   vec4 row2;
   vec4 light;     // w 1: where the mesh's origin is relative to the light; w 0: the way light travels
-  vec4 extent;    // x: how far vertices are extruded from the light (directional: from themselves),
-                  // 0: to infinity
+  vec4 extent;    // xyz: the light relative to the eye; w: where volumes end. To infinity: w of their
+                  // far vertices, 0; more before an orthographic eye, whose rays all meet there.
+                  // Finite: the distance from the light (directional: from the caster)
   uvec4 first;    // first words of x: edges, y: corners, z: positions
   uvec4 lists;    // first words of the lists of each part; w: of the arguments of their draws
   uvec4 counts;   // x: edges, y: triangles, z: which cast, w: sides that an edge may need, 1 or 2

@@ -8,25 +8,31 @@ layout(constant_id = 16) const uint kPart = VOLUME_SIDES;
 layout(constant_id = 17) const bool kFinite = false;
 
 // The same sums as for the surface: caps meet its depth to the last bit.
-vec4 nearVertex(uint vertex) {
-  return toClip(frame.viewProjection,
-                toRelative(volume.row0, volume.row1, volume.row2, positionOf(vertex)));
+vec3 relativeVertex(uint vertex) {
+  return toRelative(volume.row0, volume.row1, volume.row2, positionOf(vertex));
 }
 
-// Away from the light: at infinity, where w = 0, or at its distance.
+vec4 nearVertex(uint vertex) { return toClip(frame.viewProjection, relativeVertex(vertex)); }
+
+// Away from the light: at infinity, where w = 0, or so near it that all that is seen lies before; or
+// at its distance.
 vec4 farVertex(uint vertex) {
   precise vec3 d = lightThrough(volume, positionOf(vertex));
-  if (!kFinite) {
-    precise vec4 c = frame.viewProjection[0] * d.x + frame.viewProjection[1] * d.y +
-                     frame.viewProjection[2] * d.z;
-    return c;
+  bool local = volume.light.w != 0.0;
+  if (kFinite) {
+    float length = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    // What lies beyond already stays.
+    float way = local ? max(volume.extent.w - length, 0.0) : volume.extent.w;
+    precise vec3 p = relativeVertex(vertex) + d * (way / length);
+    return toClip(frame.viewProjection, p);
   }
-  precise vec3 p = toRelative(volume.row0, volume.row1, volume.row2, positionOf(vertex));
-  float length = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-  // What lies beyond already stays.
-  float way = volume.light.w == 0.0 ? volume.extent.x : max(volume.extent.x - length, 0.0);
-  precise vec3 q = p + d * (way / length);
-  return toClip(frame.viewProjection, q);
+  precise vec4 c = frame.viewProjection[0] * d.x + frame.viewProjection[1] * d.y +
+                   frame.viewProjection[2] * d.z;
+  if (volume.extent.w == 0.0) return c;
+  // Light + d / w, directional: vertex + d / w, times w.
+  vec3 start = local ? volume.extent.xyz : relativeVertex(vertex);
+  precise vec4 e = c + volume.extent.w * toClip(frame.viewProjection, start);
+  return e;
 }
 
 vec4 sideVertex(uint item, uint corner) {

@@ -14,12 +14,13 @@ struct VolumeScene {
   const Light& light;
   glm::dvec4 place;  ///< relative to the eye, w 1; or the way to it, w 0
   std::array<glm::dvec3, 4> nearRectangle;
-  double extent;  ///< VolumeData::extent
+  double reach;  ///< no receiver is farther from the light (directional: from any caster)
 
   bool local() const { return light.type != LightType::Directional; }
+  bool orthographic() const { return view.placed().camera().orthographic; }
 };
 
-/// No receiver that this light reaches lies farther from it (directional: from any caster).
+/// VolumeScene::reach, of receivers that the light reaches.
 double reachOf(const SceneView& view, const Light& light) {
   const bool local = light.type != LightType::Directional;
   if (local && light.range > 0) return light.range;
@@ -41,7 +42,7 @@ VolumeScene volumeScene(const SceneView& view, const VolumeChoice& choice, uint3
           l,
           local ? glm::dvec4(l.position - view.camera().eye, 1) : glm::dvec4(-l.direction, 0),
           nearRectangle(view.placed().camera(), view.aspect()),
-          choice.finite ? reachOf(view, l) : 0};
+          reachOf(view, l)};
 }
 
 /// Closed, and never seen from within while the eye is not there: rays from the eye to what they
@@ -67,6 +68,18 @@ uint32_t castsOf(const VolumeScene& s, const Box& box, bool solid) {
   return s.choice.casts.value_or(solid && outside ? CASTS_BACK : CASTS_ALL);
 }
 
+/// VolumeData::extent.
+float extentOf(const VolumeScene& s, const Box& box) {
+  if (s.choice.finite) return float(s.reach);
+  if (!s.orthographic()) return 0;
+  // Volumes are scaled from the light, so their least distance grows to the reach. Around a light
+  // within the caster's box, triangles are taken to be no nearer than a small part of it.
+  const glm::dvec3 light(s.place);
+  const double distance = glm::distance(light, glm::clamp(light, box.low, box.high));
+  const double least = s.local() ? std::max(distance, box.radius() * 0x1p-12) : 1;
+  return float(least / (1.01 * s.reach));
+}
+
 CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32_t instance) {
   const uint32_t mesh = s.view.scene().instances[instance].mesh;
   const EdgeBuffers::MeshEdges& e = edges.of(mesh);
@@ -87,14 +100,15 @@ CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32
   }
   const gpu::InstanceData& placed = s.view.instance(instance);
   const glm::dvec3 origin(s.view.placed().toWorld(instance)[3]);
-  const bool point = !s.local() && !s.choice.finite;
+  const float extent = extentOf(s, box);
+  const bool point = !s.local() && extent == 0;
   v.data = {
       .row0 = placed.toRelative0,
       .row1 = placed.toRelative1,
       .row2 = placed.toRelative2,
       .light = s.local() ? glm::vec4(glm::vec3(origin - s.light.position), 1)
                          : glm::vec4(glm::vec3(s.light.direction), 0),
-      .extent = {float(s.extent), 0, 0, 0},
+      .extent = glm::vec4(glm::vec3(s.place), extent),
       .first = {e.edges.first, e.corners.first, e.positions.first, 0},
       .lists = {},
       .counts = {e.edgeCount, e.triangleCount, casts, e.mesh.closed && casts != CASTS_ALL ? 1 : 2},
