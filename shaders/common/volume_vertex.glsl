@@ -21,8 +21,8 @@ vec4 farVertex(uint vertex) {
   bool local = volume.light.w != 0.0;
   if (kFinite) {
     float length = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-    // What lies beyond already stays.
-    float way = local ? max(volume.extent.w - length, 0.0) : volume.extent.w;
+    // What lies beyond already ends behind itself: no far cap meets the caster's own depth.
+    float way = local ? max(volume.extent.w - length, 0.015625 * volume.extent.w) : volume.extent.w;
     precise vec3 p = relativeVertex(vertex) + d * (way / length);
     return toClip(frame.viewProjection, p);
   }

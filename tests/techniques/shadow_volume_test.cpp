@@ -255,3 +255,46 @@ GPU_TEST(ShadowVolumes, CountersWrapWhereTheySay) {
     }
   }
 }
+
+GPU_TEST(ShadowVolumes, FiniteVolumesLackWhatTheChordCutsOff) {
+  // A caster that the light sees under 60 degrees, at a reach of 10: its far end lies flat at
+  // 10 cos 30 = 8.66, a chord's 1.34 short of the sphere.
+  const auto at = [](double height) {
+    Scene scene;
+    const uint32_t grey = add(scene, matte());
+    addHorizontal(scene, grey, {0, -float(height), 0}, 4, 4);
+    addHorizontal(scene, grey, {0, -1, 0}, float(std::tan(glm::radians(30.0))), 0.05f);
+    Light light = pointLight({0, 0, 0}, 100);
+    light.range = 10;
+    addLight(scene, light);
+    scene.cameras.push_back(lookAt({6, 2 - height, 1}, {0, -height, 0}));
+    return scene;
+  };
+  const auto wrong = [&](double height, const char* extrusion) {
+    Cell cell(cellDevice(device()), at(height), volumes({{"extrusion", extrusion}}));
+    return shadowMismatch(cell).elsewhere;
+  };
+  for (const double height : {8.0, 8.6, 8.75, 9.5}) {
+    EXPECT_EQ(wrong(height, "infinite"), 0u) << height;
+    EXPECT_EQ(wrong(height, "finite") > 0, height > 10 * std::cos(glm::radians(30.0))) << height;
+  }
+  // Lights without a range reach all that there is.
+  Cell cell(cellDevice(device()), stage(true), volumes({{"extrusion", "finite"}}));
+  expectExact(cell, "finite", 300);
+}
+
+GPU_TEST(ShadowVolumes, OneCountForAllLightsIsAnApproximation) {
+  Cell multi(cellDevice(device()), stage(true), volumes());
+  Cell single(cellDevice(device()), stage(true),
+              volumes({{"lights", "single"}, {"darkness", "0.75"}}));
+  // In any light's shadow every light is a quarter of itself.
+  for (size_t i = 0; i < size_t(96) * 64; ++i) {
+    float least = 1;
+    for (const uint32_t light : multi.renderer().lights())
+      least = std::min(least, multi.visibility(light)[0][4 * i]);
+    if (multi.visibility(0)[0][4 * i + 3] == 0) continue;
+    for (const uint32_t light : single.renderer().lights())
+      ASSERT_EQ(single.visibility(light)[0][4 * i], least == 0 ? 0.25f : 1.0f) << i;
+  }
+  EXPECT_GT(shadowMismatch(single).elsewhere, 1000u);
+}

@@ -6,8 +6,12 @@
 //   count=zpass       before the receiver: wrong where the eye stands in a volume
 //   casts=light,back  one side of every mesh: wrong for open ones, and within closed ones
 //   counter=stencil8  256 volumes around a point are none
+//   lights=single     the source's approximation: all lights in one count, which darkens all of
+//                     them by one share
 //   extrusion=finite  the source's: the far end cuts a corner of R (1 - cos(phi / 2)) off, R the
 //                     reach, phi the angle under which the light sees a triangle
+#include <bit>
+
 #include "shaders/common/shared_slots.h"
 #include "shaders/common/shared_types.h"
 #include "techniques/render/camera_pass.h"
@@ -40,11 +44,13 @@ class StencilShadowVolume final : public ShadowTechnique {
   void prepare(const Context& context) override {
     m_view = &context.view;
     m_float = context.knobs.is("counter", "float");
+    m_single = context.knobs.is("lights", "single");
+    m_darkness = context.knobs.number("darkness");
     m_counter.emplace(context, m_float ? CounterKind::Float : CounterKind::Stencil,
                       context.knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
     m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs),
                       [&](const std::vector<LightVolumes>& lights) {
-                        m_mostLights = std::max(m_mostLights, uint32_t(lights.size()));
+                        m_mostLights = std::max(m_mostLights, channels(lights));
                         m_mostInView = std::max(m_mostInView, uint32_t(slots(lights).size()));
                         m_united.insert(m_united.end(), lights.begin(), lights.end());
                       });
@@ -67,8 +73,10 @@ class StencilShadowVolume final : public ShadowTechnique {
   void record(Frame& frame) override { m_volumes->record(frame); }
 
   void recordReceivers(Frame& frame, const ReceiverLayer& layer) override {
-    for (uint32_t slot = 0; slot < m_volumes->lights().size(); ++slot) {
-      recordVolumes(frame, layer, m_volumes->lights()[slot]);
+    const std::span<const LightVolumes> lights = m_volumes->lights();
+    const uint32_t count = channels(m_volumes->lights());
+    for (uint32_t slot = 0; slot < count; ++slot) {
+      recordVolumes(frame, layer, m_single ? lights : lights.subspan(slot, 1));
       recordMask(frame, layer, slot);
     }
   }
@@ -81,18 +89,24 @@ class StencilShadowVolume final : public ShadowTechnique {
     return {.bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, m_mask, m_sampler),
                          rhi::storageAt(STORAGE_TECHNIQUE, m_slots)},
             .reads = {rhi::use(m_mask.id(), rhi::Access::Sampled)},
-            .constants = {}};
+            .constants = {{16, std::bit_cast<uint32_t>(m_single ? 1 - m_darkness : 0.0f)}}};
   }
 
  private:
   static constexpr uint32_t kChannels = 4;
+
+  /// Of the mask: one a light, or one for all of them.
+  uint32_t channels(const std::vector<LightVolumes>& lights) const {
+    return m_single ? std::min<uint32_t>(1, uint32_t(lights.size())) : uint32_t(lights.size());
+  }
 
   /// Channel of the mask of each light in view.
   std::vector<uint32_t> slots(const std::vector<LightVolumes>& lights) const {
     std::vector<uint32_t> slots;
     for (const LightEffects& light : m_view->effects().lights) {
       if (!light.touchesView) continue;
-      const auto at = std::ranges::find(lights, light.light, &LightVolumes::light);
+      const auto at =
+          m_single ? lights.begin() : std::ranges::find(lights, light.light, &LightVolumes::light);
       slots.push_back(at == lights.end() ? NO_SHADOW : uint32_t(at - lights.begin()));
     }
     return slots;
@@ -144,7 +158,8 @@ class StencilShadowVolume final : public ShadowTechnique {
     }
   }
 
-  void recordVolumes(Frame& frame, const ReceiverLayer& layer, const LightVolumes& light) const {
+  void recordVolumes(Frame& frame, const ReceiverLayer& layer,
+                     std::span<const LightVolumes> lights) const {
     const rhi::ColorAttachment counts{.view = {.texture = m_counts}};
     const std::vector<rhi::ResourceUse> reads = m_volumes->reads();
     frame.pass({.label = "shadow volumes",
@@ -153,8 +168,10 @@ class StencilShadowVolume final : public ShadowTechnique {
                                               .load = rhi::LoadOp::Load,
                                               .readOnly = true},
                 .reads = reads},
-               PassGroup::Shadow,
-               [&](rhi::CommandList& commands) { m_counter->draw(commands, *m_volumes, light); });
+               PassGroup::Shadow, [&](rhi::CommandList& commands) {
+                 for (const LightVolumes& light : lights)
+                   m_counter->draw(commands, *m_volumes, light);
+               });
   }
 
   /// The channels of a layer are lit until a light says otherwise.
@@ -182,7 +199,8 @@ class StencilShadowVolume final : public ShadowTechnique {
   }
 
   const SceneView* m_view = nullptr;
-  bool m_float = false;
+  bool m_float = false, m_single = false;
+  float m_darkness = 0;       ///< share of light that is taken where all lights count as one
   uint32_t m_mostLights = 0;  ///< that something casts in, at any step
   uint32_t m_mostInView = 0;
   std::vector<LightVolumes> m_united;
@@ -196,37 +214,53 @@ class StencilShadowVolume final : public ShadowTechnique {
 };
 
 std::vector<KnobInfo> knobs() {
-  return {{.name = "count",
-           .help = "volumes before the receiver or behind it; auto: what is right for each caster",
-           .fallback = "auto",
-           .choices = {"auto", "zpass", "zfail"},
-           .sweep = {"zpass", "zfail", "auto"}},
-          {.name = "sides",
-           .help = "two-sided stencil, or a pass for each side",
-           .fallback = "two",
-           .choices = {"two", "one"},
-           .sweep = {"two", "one"}},
-          {.name = "counter",
-           .help = "what counts volumes: modulo 256, or to 2^24",
-           .fallback = "stencil8",
-           .choices = {"stencil8", "float"},
-           .sweep = {"stencil8", "float"}},
-          {.name = "casts",
-           .help = "triangles that cast: facing the light, the others, all; auto: the others of "
-                   "closed meshes, else all",
-           .fallback = "auto",
-           .choices = {"auto", "light", "back", "all"},
-           .sweep = {"light", "back", "auto", "all"}},
-          {.name = "build",
-           .help = "where silhouettes are found; all give the same picture",
-           .fallback = "cpu",
-           .choices = {"cpu", "vertex", "geometry", "compute"},
-           .sweep = {"cpu", "vertex", "geometry", "compute"}},
-          {.name = "extrusion",
-           .help = "how far from the light volumes reach: to infinity, or as far as its light",
-           .fallback = "infinite",
-           .choices = {"infinite", "finite"},
-           .sweep = {"finite", "infinite"}}};
+  return {
+      {.name = "count",
+       .help = "volumes before the receiver or behind it; auto: what is right for each caster",
+       .fallback = "auto",
+       .choices = {"auto", "zpass", "zfail"},
+       .sweep = {"zpass", "zfail", "auto"}},
+      {.name = "sides",
+       .help = "two-sided stencil, or a pass for each side",
+       .fallback = "two",
+       .choices = {"two", "one"},
+       .sweep = {"two", "one"}},
+      {.name = "counter",
+       .help = "what counts volumes: modulo 256, or to 2^24",
+       .fallback = "stencil8",
+       .choices = {"stencil8", "float"},
+       .sweep = {"stencil8", "float"}},
+      {.name = "casts",
+       .help = "triangles that cast: facing the light, the others, all; auto: the others of "
+               "closed meshes, else all",
+       .fallback = "auto",
+       .choices = {"auto", "light", "back", "all"},
+       .sweep = {"light", "back", "auto", "all"}},
+      {.name = "build",
+       .help = "where silhouettes are found; all give the same picture",
+       .fallback = "cpu",
+       .choices = {"cpu", "vertex", "geometry", "compute"},
+       .sweep = {"cpu", "vertex", "geometry", "compute"}},
+      {.name = "lights",
+       .help = "a count for each light, or one for all, which darkens all of them (approximate)",
+       .fallback = "multi",
+       .choices = {"multi", "single"},
+       .sweep = {"single", "multi"}},
+      {.name = "darkness",
+       .help = "share of all light that lights=single takes in a shadow of any",
+       .fallback = "0.5",
+       .min = 0,
+       .max = 1,
+       .integer = false},
+      {.name = "extrusion",
+       .help = "how far from the light volumes reach: to infinity, or as far as its light",
+       .fallback = "infinite",
+       .choices = {"infinite", "finite"},
+       .sweep = {"finite", "infinite"}}};
+}
+
+std::map<std::string, std::string> breaks() {
+  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"}};
 }
 
 REGISTER_TECHNIQUE(
@@ -241,6 +275,7 @@ REGISTER_TECHNIQUE(
         .requires_ = {rhi::Feature::DepthClamp},
         .knobs = knobs(),
         .error = "none for opaque casters and lights without extent; perforated casters are whole",
+        .breaksIn = breaks(),
         .receiversByLayer = true}));
 
 }  // namespace
