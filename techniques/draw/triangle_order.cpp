@@ -20,6 +20,8 @@ TriangleOrder::TriangleOrder(const Context& context, Instances instances, Rank r
     triangles = std::max(triangles, m_numbers.size());
     runs = std::max(runs, m_runs.size());
   });
+  // From somewhere, no two triangles of one instance may follow one another.
+  if (m_view->isFree()) runs = triangles;
   auto make = [&](const char* label, std::span<const std::byte> bytes, uint64_t size,
                   rhi::BufferUse use) {
     rhi::Buffer buffer = context.device.createBuffer({.label = label,
@@ -63,9 +65,8 @@ void TriangleOrder::sortEntries() {
     const glm::dmat3 linear(toWorld);
     const glm::dvec3 translation = glm::dvec3(toWorld[3]) - m_view->camera().eye;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-      m_entries.push_back(
-          {m_rank(linear * centroids[t] + translation), mesh.key, instance.key,
-           mesh.triangleKeys[t], i, t});
+      m_entries.push_back({m_rank(linear * centroids[t] + translation), mesh.key, instance.key,
+                           mesh.triangleKeys[t], i, t});
   }
   std::ranges::sort(m_entries, [](const Entry& a, const Entry& b) {
     return std::tie(a.rank, b.meshKey, b.instanceKey, b.triangleKey) <

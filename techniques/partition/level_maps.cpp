@@ -14,17 +14,22 @@ class LevelMaps final : public ColourMaps {
         m_onlyPeeled(in.context.knobs.is("partition", "peeled")),
         m_cap(in.context.knobs.integer("levels")) {
     const rhi::Format format = colourMapFormat(in.context.knobs);
-    const uint32_t layers = planAlongPath(in, format);
+    const uint32_t layers =
+        m_view.isFree() ? planForFreeCamera(in, format) : planAlongPath(in, format);
     if (layers == 0) return;
     m_colour = m_shadows.createLike(in.context, "shadow colour", format, layers);
     m_pipeline = in.context.pipeline(
         colourPipeline(in.context, m_shadows, "composited_translucent/colour.frag", format));
-    if (m_view.steps() > 1) ShadowMaps::clear(in.context, m_colour);
+    if (!m_view.stands()) ShadowMaps::clear(in.context, m_colour);
   }
 
   void moved() override {
     plan();
-    if (m_peel) m_peel->use(m_view.step());
+    if (!m_peel) return;
+    if (m_view.isFree())
+      m_peel->use(groupsOfFreeCamera());
+    else
+      m_peel->use(m_view.step());
   }
 
   void record(Frame& frame, size_t view) override {
@@ -85,14 +90,61 @@ class LevelMaps final : public ColourMaps {
     in.context.view.alongPath(in.context.device, [&] {
       plan();
       most = std::max(most, m_levels.layers());
-      for (PeelGroup& group : steps.emplace_back(m_levels.groups()))
-        group.count = LightPeel::countLayers(
-            in.context, m_shadows, group,
-            [&](rhi::CommandList& commands, size_t view) { in.opaque.draw(commands, view); });
+      for (PeelGroup& group : steps.emplace_back(m_levels.groups())) {
+        group.cap = m_cap;
+        group.count = countLayers(in, group);
+      }
     });
     if (std::ranges::any_of(steps, [](const auto& groups) { return !groups.empty(); }))
-      m_peel.emplace(in.context, m_shadows, std::move(steps), m_cap, format);
+      m_peel.emplace(in.context, m_shadows, std::move(steps), format);
     return most;
+  }
+
+  /// The same for a camera that is set freely. Each view may have as many levels as casters; of a
+  /// group no more layers are peeled than all casters of its view have together, seen from the
+  /// light over the whole scene. One more that a finer map finds is in the tail.
+  uint32_t planForFreeCamera(const ColourMapInputs& in, rhi::Format format) {
+    m_peelCaps.assign(m_shadows.views().size(), 1);
+    in.context.view.alongPath(in.context.device, [&] {
+      for (size_t i = 0; i < m_shadows.views().size(); ++i) {
+        const PeelGroup all{.view = i, .instances = m_shadows.views()[i].translucent};
+        m_peelCaps[i] = std::max(m_peelCaps[i], std::min(countLayers(in, all), m_cap));
+      }
+    });
+    uint32_t levels = 0, peeled = 0;
+    for (size_t i = 0; i < m_shadows.views().size(); ++i) {
+      const std::vector<uint32_t>& casters = m_shadows.views()[i].translucent;
+      const uint32_t most = std::min(m_cap, uint32_t(casters.size()));
+      if (!m_onlyPeeled) levels += most;
+      const uint32_t groups = m_onlyPeeled ? std::min(1u, most) : most;
+      peeled += std::min(groups * (m_peelCaps[i] + 1), triangles(casters));
+    }
+    m_peel.emplace(in.context, m_shadows, peeled, format);
+    moved();
+    return levels;
+  }
+
+  std::vector<PeelGroup> groupsOfFreeCamera() const {
+    std::vector<PeelGroup> groups = m_levels.groups();
+    for (PeelGroup& group : groups) {
+      group.cap = m_peelCaps[group.view];
+      group.count = triangles(group.instances);
+    }
+    return groups;
+  }
+
+  uint32_t triangles(std::span<const uint32_t> instances) const {
+    const Scene& scene = m_view.scene();
+    uint32_t count = 0;
+    for (const uint32_t i : instances)
+      count += scene.meshes[scene.instances[i].mesh].triangleCount();
+    return count;
+  }
+
+  uint32_t countLayers(const ColourMapInputs& in, const PeelGroup& group) {
+    return LightPeel::countLayers(
+        in.context, m_shadows, group,
+        [&](rhi::CommandList& commands, size_t view) { in.opaque.draw(commands, view); });
   }
 
   const SceneView& m_view;
@@ -101,6 +153,7 @@ class LevelMaps final : public ColourMaps {
   uint32_t m_cap;
   ViewLevels m_levels;
   std::optional<LightPeel> m_peel;
+  std::vector<uint32_t> m_peelCaps;  ///< by view, of a camera that is set freely
   rhi::Texture m_colour;
   rhi::PipelineId m_pipeline;
 };

@@ -15,59 +15,81 @@ rhi::TextureView layerOf(rhi::TextureId texture, uint32_t layer) {
 }  // namespace
 
 LightPeel::LightPeel(const Context& context, ShadowMaps& maps,
-                     std::vector<std::vector<PeelGroup>> steps, uint32_t cap,
-                     rhi::Format colourFormat)
-    : m_maps(maps), m_format(colourFormat) {
-  // One layer more than none: what is bound must exist.
-  uint32_t most = 1;
+                     std::vector<std::vector<PeelGroup>> steps, rhi::Format colourFormat)
+    : m_view(context.view), m_maps(maps), m_format(colourFormat) {
+  uint32_t most = 0;
   bool tails = false;
   for (std::vector<PeelGroup>& groups : steps) {
-    uint32_t layers = 0;
-    for (PeelGroup& group : groups) {
-      group.tail = group.count > cap;
-      group.first = layers;
-      if (group.tail) group.count = cap + 1;
-      tails |= group.tail;
-      layers += group.count;
-    }
-    most = std::max(most, layers);
+    most = std::max(most, arrange(groups));
+    tails |= std::ranges::any_of(groups, &PeelGroup::tail);
     m_steps.push_back({std::move(groups), {}});
   }
-  m_depth = maps.createLike(context, "peeled depth", rhi::Format::D32Float, most);
-  m_colour = maps.createLike(context, "peeled colour", m_format, most);
+  create(context, most, tails);
+  for (Step& step : m_steps) makeDraws(step);
+}
+
+LightPeel::LightPeel(const Context& context, ShadowMaps& maps, uint32_t layers,
+                     rhi::Format colourFormat)
+    : m_view(context.view), m_maps(maps), m_changes(true), m_steps(1), m_format(colourFormat) {
+  create(context, layers, true);
+}
+
+void LightPeel::use(std::vector<PeelGroup> groups) {
+  arrange(groups);
+  m_steps.front() = {std::move(groups), {}};
+  makeDraws(m_steps.front());
+}
+
+uint32_t LightPeel::arrange(std::vector<PeelGroup>& groups) {
+  uint32_t layers = 0;
+  for (PeelGroup& group : groups) {
+    group.tail = group.count > group.cap;
+    group.first = layers;
+    if (group.tail) group.count = group.cap + 1;
+    layers += group.count;
+  }
+  return layers;
+}
+
+void LightPeel::create(const Context& context, uint32_t layers, bool tails) {
+  // One layer more than none: what is bound must exist.
+  layers = std::max(1u, layers);
+  m_depth = m_maps.createLike(context, "peeled depth", rhi::Format::D32Float, layers);
+  m_colour = m_maps.createLike(context, "peeled colour", m_format, layers);
   if (std::ranges::any_of(m_steps, [](const Step& step) { return step.groups.empty(); }))
     for (const rhi::Texture* map : {&m_depth, &m_colour}) ShadowMaps::clear(context, *map);
   rhi::GraphicsPipelineDesc desc =
-      maps.casterPipeline(context, "peeled layer", "light_peel/layer.frag", false);
+      m_maps.casterPipeline(context, "peeled layer", "light_peel/layer.frag", false);
   desc.depthFormat = rhi::Format::D32Float;
   desc.targets = {{.format = m_format}};
   desc.constants.push_back({16, 1});
-  m_first = maps.pipelines(context, desc);
+  m_first = m_maps.pipelines(context, desc);
   desc.constants.back().bits = 0;
-  m_next = maps.pipelines(context, desc);
+  m_next = m_maps.pipelines(context, desc);
   if (tails) {
-    desc = colourPipeline(context, maps, "light_peel/tail.frag", m_format);
+    desc = colourPipeline(context, m_maps, "light_peel/tail.frag", m_format);
     desc.depth = {};
     desc.raster.depthBiasConstant = desc.raster.depthBiasSlope = 0;
     desc.depthFormat = rhi::Format::Undefined;
-    m_tail = maps.pipelines(context, desc);
+    m_tail = m_maps.pipelines(context, desc);
   }
-  for (Step& step : m_steps)
-    for (const PeelGroup& group : step.groups)
-      for (uint32_t i = 0; i < group.count; ++i)
-        step.draws.push_back(layerDraws(context, group, i));
+}
+
+void LightPeel::makeDraws(Step& step) const {
+  for (const PeelGroup& group : step.groups)
+    for (uint32_t i = 0; i < group.count; ++i) step.draws.push_back(layerDraws(group, i));
 }
 
 bool LightPeel::empty() const {
-  return std::ranges::all_of(m_steps, [](const Step& step) { return step.groups.empty(); });
+  return !m_changes &&
+         std::ranges::all_of(m_steps, [](const Step& step) { return step.groups.empty(); });
 }
 
-DrawList LightPeel::layerDraws(const Context& context, const PeelGroup& group,
-                               uint32_t layer) const {
+DrawList LightPeel::layerDraws(const PeelGroup& group, uint32_t layer) const {
   const rhi::TextureView opaque{.texture = m_maps.depth()};
   const uint32_t previous = group.first + layer - 1;
   return DrawList(
-      context.view,
+      m_view,
       {m_maps.passBlock(group.view),
        rhi::textureAt(TEXTURE_TECHNIQUE, opaque, m_maps.pointSampler()),
        rhi::textureAt(TEXTURE_TECHNIQUE + 1, layer > 0 ? layerOf(m_depth, previous) : opaque,

@@ -2,7 +2,7 @@
 // layers up to it (spec 05, variant P). A lookup structure of arrays, not a partition of what is
 // drawn. The number of layers of each group is counted on the device when it is made, for every
 // step of a camera's path, so that exactly those are peeled that exist; what lies behind a cap is
-// one tail of their product.
+// one tail of their product. For a camera that is set freely as many are peeled as there may be.
 // Coplanar surfaces of different triangles peel as one layer and lose the other (documented).
 #pragma once
 
@@ -14,9 +14,10 @@ namespace sb {
 struct PeelGroup {
   size_t view = 0;  ///< index into ShadowMaps::views
   std::vector<uint32_t> instances;
+  uint32_t cap = 0;    ///< of layers, the tail not included; at least 1
+  uint32_t count = 0;  ///< layers that there are or may be; once arranged: array layers
   uint32_t first = 0;  ///< array layer of the first
-  uint32_t count = 0;  ///< array layers, the tail included
-  bool tail = false;   ///< the last layer stands for all behind it
+  bool tail = false;   ///< the last array layer stands for all behind it
 };
 
 class LightPeel {
@@ -28,15 +29,18 @@ class LightPeel {
   static uint32_t countLayers(const Context& context, ShadowMaps& maps, const PeelGroup& group,
                               const DrawOpaque& drawOpaque);
 
-  /// `steps`: the groups of each step of the camera's path (one if it stands), in PeelGroup::count
-  /// the layers that were counted. Creates arrays for at most `cap` layers a group, and a tail
-  /// where there are more.
+  /// `steps`: the groups of each step of the camera's path (one if it stands). Creates arrays for
+  /// the layers of each, and a tail where there are more than its cap.
   LightPeel(const Context& context, ShadowMaps& maps, std::vector<std::vector<PeelGroup>> steps,
-            uint32_t cap, rhi::Format colourFormat);
+            rhi::Format colourFormat);
+  /// Arrays of `layers`, for groups that change with the camera.
+  LightPeel(const Context& context, ShadowMaps& maps, uint32_t layers, rhi::Format colourFormat);
 
-  /// No step has groups.
+  /// No step has groups, and no camera.
   bool empty() const;
   void use(uint32_t step) { m_step = step; }
+  /// Of the camera as it stands now: groups that take no more layers than there are.
+  void use(std::vector<PeelGroup> groups);
   const std::vector<PeelGroup>& groups() const { return m_steps[m_step].groups; }
   /// Records the peeling of all groups. The opaque depth of their views must be there.
   void record(Frame& frame);
@@ -49,11 +53,17 @@ class LightPeel {
     std::vector<PeelGroup> groups;
     std::vector<DrawList> draws;  ///< by array layer
   };
-  DrawList layerDraws(const Context& context, const PeelGroup& group, uint32_t layer) const;
+  /// Layers that they take, one behind the other.
+  static uint32_t arrange(std::vector<PeelGroup>& groups);
+  void create(const Context& context, uint32_t layers, bool tails);
+  void makeDraws(Step& step) const;
+  DrawList layerDraws(const PeelGroup& group, uint32_t layer) const;
   void recordLayer(Frame& frame, const PeelGroup& group, uint32_t layer);
   void recordTail(Frame& frame, const PeelGroup& group);
 
+  const SceneView& m_view;
   ShadowMaps& m_maps;
+  bool m_changes = false;  ///< with the camera
   std::vector<Step> m_steps;
   uint32_t m_step = 0;
   rhi::Format m_format;

@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "techniques/scene/scene.h"
 
 namespace sb {
 
@@ -82,11 +85,14 @@ struct ViewEffects {
 };
 
 /// The analysis of scene + camera + lights. Of a scene that moves: what any step of its path shows
-/// or calls for.
+/// or calls for. Of a camera that is set freely: what any place of it may show or call for.
 struct Effects : ViewEffects {
   EffectSet present;
   std::map<Effect, std::string> reason;  ///< of each effect, present or not: why, for people
   std::vector<ViewEffects> steps;        ///< what each step of Scene::path shows; empty: no path
+  /// The camera is set freely (SceneView::look). This one sees all of the scene at once: what is
+  /// prepared for it serves every other.
+  std::optional<Camera> overview;
 };
 
 }  // namespace sb

@@ -163,8 +163,8 @@ void CameraPass::recordShaded(Frame& frame) {
 }
 
 void CameraPass::recordTranslucent(Frame& frame) {
-  // A step that shows none, though others do.
-  if (view().steps() > 1 && translucent().empty()) return;
+  // A step or a camera that shows none, though others do.
+  if (!view().stands() && translucent().empty()) return;
   if (m_transparency) m_transparency->record(frame, *this);
 }
 

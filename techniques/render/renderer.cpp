@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "techniques/draw/texels.h"
 #include "techniques/render/frame_order.h"
@@ -28,7 +29,10 @@ void add(VisibilityInputs& inputs, const VisibilityInputs& more) {
 
 Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const Effects& effects,
                    RendererDesc desc)
-    : m_device(device), m_desc(std::move(desc)), m_runner(device.device, device.queries) {
+    : m_device(device),
+      m_desc(std::move(desc)),
+      m_runner(device.device, device.queries),
+      m_stream(device.device, device.queries) {
   const auto before = device.device.ledger().bytesByLabel();
   const TechniqueInfo& info = m_desc.technique->info;
   m_plan = makePlan(effects, representedBy(m_desc.set()), m_desc.forced);
@@ -43,7 +47,7 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
     m_technique = m_desc.technique->make();
     m_technique->prepare(context());
     // While the view shows the whole path, every layer is drawn; steps that lack some read it.
-    if (!m_view->firstStepHasAllViews())
+    if (!m_view->fit().firstHasAll())
       m_runner.run(FrameMode::Plain, [&](Frame& frame) { m_technique->record(frame); });
     inputs = m_technique->inputs();
     folder = inputs.folder.empty() ? info.folder : inputs.folder;
@@ -64,29 +68,53 @@ Context Renderer::context() {
   return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
 }
 
-void Renderer::moveTo(Frame& frame, uint32_t step) {
-  frame.between("moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
-    m_view->moveTo(commands, step);
-    if (m_technique) m_technique->moved(frame);
-    m_lights->moved(frame);
-    m_camera->moved(frame);
-  });
+Renderer::Record Renderer::moved(std::function<void(rhi::CommandList&)> move) {
+  return [this, move = std::move(move)](Frame& frame) {
+    frame.between("moved", PassGroup::Shadow, [&](rhi::CommandList& commands) {
+      move(commands);
+      if (m_technique) m_technique->moved(frame);
+      m_lights->moved(frame);
+      m_camera->moved(frame);
+    });
+  };
+}
+
+// Decided before the frame is recorded: one that is recorded twice (FrameRunner) moves twice.
+Renderer::Record Renderer::nextMove() {
+  if (m_look)
+    return moved([this, look = *std::exchange(m_look, {})](rhi::CommandList& commands) {
+      m_view->look(commands, look);
+    });
+  const uint32_t next = m_at ? (*m_at + 1) % steps() : 0;
+  const uint32_t step = m_standing.value_or(next);
+  const bool moves = steps() > 1 && m_at != step;
+  m_at = step;
+  if (!moves) return [](Frame&) {};
+  return moved([this, step](rhi::CommandList& commands) { m_view->moveTo(commands, step); });
+}
+
+void Renderer::record(Frame& frame) {
+  m_lights->record(frame);
+  recordInOrder(frame, m_technique.get(),
+                {.opaque = [&] { m_camera->recordOpaque(frame); },
+                 .translucent = [&] { m_camera->recordTranslucent(frame); },
+                 .translucentPart = [&](auto part) { m_camera->recordTranslucent(frame, part); }});
 }
 
 FrameResult Renderer::frame(FrameMode mode) {
-  const uint32_t next = m_at ? (*m_at + 1) % steps() : 0;
-  const uint32_t step = m_standing.value_or(next);
-  // Decided here: a frame that is recorded twice (FrameRunner) moves twice.
-  const bool moves = steps() > 1 && m_at != step;
-  m_at = step;
+  const Record move = nextMove();
   return m_runner.run(mode, [&](Frame& frame) {
-    if (moves) moveTo(frame, step);
-    m_lights->record(frame);
-    recordInOrder(
-        frame, m_technique.get(),
-        {.opaque = [&] { m_camera->recordOpaque(frame); },
-         .translucent = [&] { m_camera->recordTranslucent(frame); },
-         .translucentPart = [&](auto part) { m_camera->recordTranslucent(frame, part); }});
+    move(frame);
+    record(frame);
+  });
+}
+
+rhi::Ticket Renderer::show(const Present& present) {
+  const Record move = nextMove();
+  return m_stream.submit([&](Frame& frame) {
+    move(frame);
+    record(frame);
+    present(frame.commands(), m_camera->color());
   });
 }
 

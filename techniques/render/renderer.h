@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "techniques/draw/frame_stream.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/visibility_buffer.h"
 
@@ -38,6 +39,14 @@ class Renderer {
   /// What moves advances by one step of its path, from the first to the last and again; moving, and
   /// all that follows from it, is part of the frame.
   FrameResult frame(FrameMode mode = FrameMode::Plain);
+  /// From the next frame on the scene is seen in this way. Only with the effects of a camera that
+  /// is set freely (Effects::overview), through which the scene is seen until then.
+  void look(Look look) { m_look = std::move(look); }
+  /// Does something with the picture at the end of its frame: presents it, copies it.
+  using Present = std::function<void(rhi::CommandList&, rhi::TextureId color)>;
+  /// Draws the same as frame(), but waits for nothing and measures nothing: the next frame may be
+  /// shown while the device is at work on this one.
+  rhi::Ticket show(const Present& present);
   /// Frames of a loop; 1: everything stands.
   uint32_t steps() const { return m_view->steps(); }
   /// From the next frame on everything stands at a step of its path: where it is anyway costs
@@ -72,8 +81,13 @@ class Renderer {
   const std::map<std::string, uint64_t>& bytesByLabel() const { return m_bytes; }
 
  private:
+  using Record = std::function<void(Frame&)>;
   Context context();
-  void moveTo(Frame& frame, uint32_t step);
+  /// Goes to where the next frame is.
+  Record nextMove();
+  /// `move` the view, and whatever depends on it.
+  Record moved(std::function<void(rhi::CommandList&)> move);
+  void record(Frame& frame);
 
   DeviceContext m_device;
   RendererDesc m_desc;
@@ -84,9 +98,11 @@ class Renderer {
   std::unique_ptr<CameraPass> m_camera;
   std::unique_ptr<VisibilityBuffer> m_visibility;
   FrameRunner m_runner;
+  FrameStream m_stream;
   std::map<std::string, uint64_t> m_bytes;
   std::optional<uint32_t> m_at;        ///< step of the last frame
   std::optional<uint32_t> m_standing;  ///< step that frames stay at
+  std::optional<Look> m_look;          ///< of the next frame
 };
 
 }  // namespace sb

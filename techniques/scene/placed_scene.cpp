@@ -49,6 +49,12 @@ PlacedScene::PlacedScene(const Scene& scene, uint32_t step) : m_scene(&scene) {
     if (light.pose != kNone) put(m_lights.at(light.pose) = light, m_state->lights[light.pose]);
 }
 
+PlacedScene PlacedScene::seenBy(const Camera& camera) const {
+  PlacedScene seen = *this;
+  seen.m_camera = camera;
+  return seen;
+}
+
 Moving::Moving(const Scene& scene) {
   if (scene.path.empty()) return;
   camera = scene.camera().pose != kNone;

@@ -14,6 +14,8 @@ class PlacedScene {
   PlacedScene(const Scene& scene) : m_scene(&scene) {}
   /// At a step of its path. A scene without one stands by itself.
   PlacedScene(const Scene& scene, uint32_t step);
+  /// The same through another camera.
+  PlacedScene seenBy(const Camera& camera) const;
 
   const Scene& scene() const { return *m_scene; }
   const Camera& camera() const { return m_camera ? *m_camera : m_scene->camera(); }
@@ -29,7 +31,7 @@ class PlacedScene {
  private:
   const Scene* m_scene;
   const SceneState* m_state = nullptr;
-  std::optional<Camera> m_camera;  ///< that moves
+  std::optional<Camera> m_camera;  ///< that moves, or is not the scene's
   std::vector<Light> m_lights;     ///< those that move, by pose
 };
 

@@ -5,6 +5,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/analysis_media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/analysis_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/export_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/free_views_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_animation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_broken_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_choices_test.cpp

@@ -42,7 +42,9 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
   return out;
 }
 
-RendererDesc descOf(const CellOptions& options) {
+}  // namespace
+
+RendererDesc rendererDescOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   const std::string technique = options.entry ? "none" : options.technique;
   if (hasKnob(technique, "size")) given.try_emplace("size", "256");
@@ -56,8 +58,6 @@ RendererDesc descOf(const CellOptions& options) {
   desc.forced = options.forced;
   return desc;
 }
-
-}  // namespace
 
 const rhi::ShaderLibrary& productionShaders() {
   static const rhi::ShaderLibrary library = [] {
@@ -76,7 +76,7 @@ bool hasKnob(const std::string& technique, const std::string& knob) {
 
 Cell::Cell(CellDevice& device, Scene scene, const CellOptions& options)
     : m_device(device), m_scene(std::move(scene)), m_options(options) {
-  const RendererDesc desc = descOf(options);
+  const RendererDesc desc = rendererDescOf(options);
   m_knobs = desc.knobs;
   m_stage.emplace(m_scene, options.size);
   m_renderer = m_stage->renderer(device.context(), desc);

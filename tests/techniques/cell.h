@@ -37,6 +37,9 @@ struct CellOptions {
   const ShadowEntry* entry = nullptr;
 };
 
+/// The techniques and knobs that they name.
+RendererDesc rendererDescOf(const CellOptions& options);
+
 /// For a light: the first that touches the view.
 inline constexpr uint32_t kFirstInView = UINT32_MAX;
 

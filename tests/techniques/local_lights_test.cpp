@@ -178,7 +178,7 @@ GPU_TEST(ManyLights, MoreThanAUniformBlockHolds) {
   Scene scene = room();
   const Light whole = scene.lights[0];
   Cell one(cellDevice(device()), scene, {.technique = "none", .size = {16, 16}});
-  const size_t parts = SceneView::kMostUniformBytes / sizeof(gpu::LightData) + 1;
+  const size_t parts = ViewBuffers::kMostUniformBytes / sizeof(gpu::LightData) + 1;
   Light part = whole;
   part.intensity = 0.5f * whole.intensity / float(parts - 1);
   scene.lights.assign(parts, part);

@@ -9,6 +9,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cssm2_rule_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/edge_buffers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/filter_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/free_camera_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/generic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/identity_test.cpp

@@ -104,7 +104,8 @@ void noteLights(const Analysis& a, const Effects& effects, Notes& notes) {
       "no point or spot light touches the view");
 }
 
-/// Penumbrae that are narrower, in pixels, are none: few samples, one a pixel, would fall into them.
+/// Penumbrae that are narrower, in pixels, are none: few samples, one a pixel, would fall into
+/// them.
 constexpr double kLeastPenumbra = 1.0 / 16;
 
 void noteAreaLights(const Analysis& a, const Effects& effects, Notes& notes) {
@@ -210,7 +211,8 @@ Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
     : placed(p),
       scene(p.scene()),
       eye(p.camera().eye()),
-      view(p.camera(), shape.aspect),
+      view(shape.anywhere ? ViewVolume::everywhere(shape.aspect)
+                          : ViewVolume(p.camera(), shape.aspect)),
       rows(shape.rows) {
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
@@ -232,13 +234,14 @@ Analysis::Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape)
     m.scatters = medium.albedo != glm::vec3(0);
   }
   if (media.empty()) return;
-  const ViewVolume before(uncut(placed.camera(), media), shape.aspect);
+  const ViewVolume before =
+      shape.anywhere ? view : ViewVolume(uncut(placed.camera(), media), shape.aspect);
   mediaView = before.bounds();
   for (AnalysedMedium& medium : media) medium.visible = before.mayShow(medium.box);
 }
 
-Effects analyseView(const Analysis& a) {
-  Effects effects;
+ViewEffects viewEffects(const Analysis& a) {
+  ViewEffects effects;
   for (uint32_t i = 0; i < a.instances.size(); ++i)
     if (a.instances[i].visible)
       (a.instances[i].seeThrough() ? effects.visibleTranslucent : effects.visibleOpaque)
@@ -246,6 +249,11 @@ Effects analyseView(const Analysis& a) {
   for (uint32_t m = 0; m < a.media.size(); ++m)
     if (a.media[m].visible) effects.visibleMedia.push_back(m);
   for (uint32_t i = 0; i < a.scene.lights.size(); ++i) effects.lights.push_back(analyseLight(a, i));
+  return effects;
+}
+
+Effects analyseView(const Analysis& a) {
+  Effects effects{viewEffects(a), {}, {}, {}, {}};
   Notes notes(effects);
   noteCasters(a, effects, notes);
   noteOverlap(a, effects, notes);

@@ -16,9 +16,9 @@ namespace sb {
 struct AnalysedInstance {
   Box box;  ///< relative to the eye
   MaterialTraits traits;
-  bool visible = false;  ///< may lie in the view
-  bool lit = false;      ///< its material is shaded by lights
-  bool flat = false;     ///< its triangles lie in one plane: it cannot shadow or cover itself
+  bool visible = false;        ///< may lie in the view
+  bool lit = false;            ///< its material is shaded by lights
+  bool flat = false;           ///< its triangles lie in one plane: it cannot shadow or cover itself
   std::optional<Plane> plane;  ///< that plane, relative to the eye, where something asks for it
   bool seeThrough() const { return traits.cameraTranslucent; }
   bool passesLight() const { return traits.lightClass == MaterialClass::Translucent; }
@@ -42,6 +42,7 @@ struct Analysis {
   struct Shape {
     double aspect;
     double rows;
+    bool anywhere = false;  ///< of any camera: everything is in view, as near as it may be
   };
   Analysis(const PlacedScene& p, const SceneTraits& traits, Shape shape);
   PlacedScene placed;
@@ -54,7 +55,9 @@ struct Analysis {
   Box mediaView;  ///< around what of media is before the camera
 };
 
-/// What the scene calls for at one step.
+/// What is shown at one step.
+ViewEffects viewEffects(const Analysis& analysis);
+/// The same, and what the scene calls for.
 Effects analyseView(const Analysis& analysis);
 /// What a path calls for, of the analyses of its steps.
 Effects uniteSteps(std::vector<Effects> steps);

@@ -24,13 +24,10 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
     const double length = glm::length(normal);
     return Plane{toWorld * normal / length, offset / length};
   };
-  m_planes[0] = plane({0, 0, -1}, -camera.nearPlane);
-  m_planes[1] = plane({0, 0, 1}, camera.farPlane);
   const double z = m_orthographic ? 0 : -1, o = m_orthographic ? 1 : 0;
-  m_planes[2] = plane({1, 0, z * halfX}, o * halfX);
-  m_planes[3] = plane({-1, 0, z * halfX}, o * halfX);
-  m_planes[4] = plane({0, 1, z * halfY}, o * halfY);
-  m_planes[5] = plane({0, -1, z * halfY}, o * halfY);
+  m_planes = {plane({0, 0, -1}, -camera.nearPlane), plane({0, 0, 1}, camera.farPlane),
+              plane({1, 0, z * halfX}, o * halfX),  plane({-1, 0, z * halfX}, o * halfX),
+              plane({0, 1, z * halfY}, o * halfY),  plane({0, -1, z * halfY}, o * halfY)};
   for (const double depth : {camera.nearPlane, camera.farPlane}) {
     const double reach = m_orthographic ? 1 : depth;
     for (const double x : {-halfX, halfX})
@@ -38,6 +35,13 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
         m_bounds.add(toWorld * glm::dvec3(x * reach, y * reach, -depth));
   }
   m_bounds.grow(kSlack * m_bounds.radius());
+}
+
+ViewVolume ViewVolume::everywhere(double aspect) {
+  ViewVolume all(aspect);
+  const glm::dvec3 infinity(std::numeric_limits<double>::infinity());
+  all.m_bounds = {-infinity, infinity};
+  return all;
 }
 
 bool ViewVolume::mayShow(const Box& box) const {
@@ -60,6 +64,7 @@ bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
 }
 
 Box ViewVolume::onScreen(const Box& box) const {
+  if (m_planes.empty()) return {{-1, -1, 0}, {1, 1, 0}};
   Box screen;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 p = m_toView * box.corner(i);
@@ -79,6 +84,7 @@ double ViewVolume::extent(const Box& box) const {
 }
 
 double ViewVolume::heightsPerUnit(const Box& box) const {
+  if (m_planes.empty()) return std::numeric_limits<double>::max();
   if (m_orthographic) return 0.5 * m_scaleY;
   double depth = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i) depth = std::min(depth, -(m_toView * box.corner(i)).z);

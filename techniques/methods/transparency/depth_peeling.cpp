@@ -21,7 +21,8 @@ class DepthPeeling final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
     m_most = context.knobs.integer("layers");
-    m_byQuery = context.knobs.is("stop", "query");
+    // What a camera found elsewhere says nothing of one that is set freely: all layers are peeled.
+    m_byQuery = context.knobs.is("stop", "query") && !context.view.isFree();
     if (m_byQuery) m_queries = PassQueries(context.device, "depth peeling layers", m_most);
     m_coloured = context.plan.runs(Effect::ColouredTransparency);
     createTargets(context, camera);

@@ -42,7 +42,8 @@ class DualDepthPeeling final : public TransparencyTechnique {
  public:
   void prepare(const Context& context, CameraPass& camera) override {
     m_most = (context.knobs.integer("layers") + 1) / 2;
-    m_byQuery = context.knobs.is("stop", "query");
+    // As in depth peeling: a camera that is set freely has no frame before it to learn from.
+    m_byQuery = context.knobs.is("stop", "query") && !context.view.isFree();
     if (m_byQuery) m_queries = PassQueries(context.device, "dual depth peeling", m_most + 1);
     m_coloured = context.plan.runs(Effect::ColouredTransparency);
     createTargets(context);

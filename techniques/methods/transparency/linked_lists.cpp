@@ -4,7 +4,8 @@
 // scene has glass and each channel of what lies behind a weight. The `layers` nearest
 // are exact, coplanar ones too; the rest of a pixel is mixed by weight alone. The pool holds as
 // many fragments as were counted when it was made; beyond a smaller one that is asked for, or
-// beyond what the device allows, they are dropped, counted and reported. nodes=rgba8 clamps colours
+// beyond what the device allows, they are dropped, counted and reported; for a camera that is set
+// freely it holds `layers` a pixel on average. nodes=rgba8 clamps colours
 // to 1 and shows bands where little comes through.
 #include <algorithm>
 
@@ -26,7 +27,9 @@ class LinkedLists final : public TransparencyTechnique {
     const auto [width, height] = context.view.size();
     const uint64_t pixels = uint64_t(width) * height;
     m_pool = ListPool(context.device, pixels, (half ? 5 : 4) + (m_coloured ? 1 : 0),
-                      perPixel > 0 ? perPixel * pixels : countFragments(context, camera));
+                      perPixel > 0            ? perPixel * pixels
+                      : context.view.isFree() ? pixels * sortedEverywhere(context, camera)
+                                              : countFragments(context, camera));
 
     std::string folder = m_coloured ? "linked_lists/coloured" : "linked_lists";
     if (camera.coplanar()) folder += "/coplanar";
@@ -81,6 +84,16 @@ class LinkedLists final : public TransparencyTechnique {
   }
 
  private:
+  /// Fragments a pixel for a camera that is set freely, whose fragments nobody can count beforehand:
+  /// on average as many as are sorted, or as there are triangles.
+  static uint64_t sortedEverywhere(const Context& context, const CameraPass& camera) {
+    const Scene& scene = context.view.scene();
+    uint64_t triangles = 1;
+    for (const uint32_t i : camera.translucent())
+      triangles += scene.meshes[scene.instances[i].mesh].triangleCount();
+    return std::min<uint64_t>(triangles, context.knobs.integer("layers"));
+  }
+
   /// Fragments of all translucent surfaces, those behind opaque ones included: no more can come.
   /// Of a camera in motion: at the step that has most.
   uint64_t countFragments(const Context& context, const CameraPass& camera) const {

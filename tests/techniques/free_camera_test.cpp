@@ -1,0 +1,146 @@
+// A camera that is set freely: frames that nobody waits for, in an order that is no path, are bit
+// by bit the pictures of renderers prepared for each place alone; and nothing is made after
+// preparing.
+#include <set>
+
+#include "suites/scenes/analysis/free_views.h"
+#include "techniques/draw/texels.h"
+#include "tests/techniques/gpu_cell.h"
+#include "tests/techniques/motion_scenes.h"
+
+using namespace sb;
+using namespace sb::test;
+
+namespace {
+
+constexpr rhi::Extent2D kShownSize = {48, 36};
+
+Camera throughWideLens(Camera camera) {
+  camera.fovY = 1.75;
+  return camera;
+}
+
+/// From outside, near, behind, through another lens, and past everything.
+std::vector<Camera> cameraPlaces() {
+  Camera parallel = lookAt({-3, 6, 2}, {0, 0.5, 0});
+  parallel.orthographic = true;
+  parallel.halfHeight = 2.5;
+  return {lookAt({2.5, 3, 4}, {0, 0.25, 0}),
+          lookAt({40, 30, -20}, {0, 0, 0}),
+          lookAt({0.5, 1.25, 0.75}, {0, 1, 0}),
+          lookAt({20, 5, 20}, {40, 10, 40}),
+          lookAt({-2, 2, -5}, {0.5, 0.5, 0.5}),
+          throughWideLens(lookAt({-4, 1, 3}, {2, 1, 0})),
+          parallel,
+          lookAt({4.5, 2.5, 3.5}, {3.5, 1, 2})};
+}
+
+rhi::Texture shownTexture(rhi::Device& device) {
+  return device.createTexture({.label = "shown picture",
+                               .format = CameraPass::kColorFormat,
+                               .width = kShownSize.width,
+                               .height = kShownSize.height,
+                               .use = rhi::TextureUse::CopyTarget | rhi::TextureUse::CopySource |
+                                      rhi::TextureUse::Sampled});
+}
+
+struct FreeCell {
+  FreeCell(CellDevice& device, const Scene& s, const CellOptions& options)
+      : scene(s),
+        views(scene, double(kShownSize.width) / kShownSize.height, kShownSize.height),
+        gpuScene(device.device, scene),
+        renderer(device.context(), gpuScene, views.anywhere(), rendererDescOf(options)) {}
+  Scene scene;
+  FreeViews views;
+  GpuScene gpuScene;
+  Renderer renderer;
+};
+
+std::string nameOfCell(const CellOptions& options) {
+  std::string name = options.technique + "+" + options.transparency;
+  for (const auto& [knob, value] : options.knobs) name += " " + knob + "=" + value;
+  return name;
+}
+
+CellOptions shownBy(const std::string& technique, std::map<std::string, std::string> knobs = {},
+                    const std::string& transparency = "Sorted") {
+  if (technique != "none") knobs.insert({{"size", "96"}, {"kernel", "3"}});
+  return {.technique = technique,
+          .knobs = std::move(knobs),
+          .size = kShownSize,
+          .transparency = transparency};
+}
+
+/// `scene` moves along its path while the camera jumps; each place is shown twice.
+void expectPicturesOfStandingCameras(rhi::Device& device, const Scene& scene,
+                                     const CellOptions& options) {
+  SCOPED_TRACE(nameOfCell(options));
+  CellDevice& cells = cellDevice(device);
+  FreeCell free(cells, scene, options);
+  struct Shown {
+    Camera camera;
+    uint32_t step;
+    rhi::Texture picture;
+  };
+  std::vector<Shown> shown;
+  const uint32_t steps = std::max<uint32_t>(1, uint32_t(scene.path.size()));
+  for (const Camera& camera : cameraPlaces())
+    shown.push_back({camera, uint32_t(shown.size() * 3) % steps, shownTexture(device)});
+  const auto memory = device.ledger().bytesByLabel();
+  const size_t pipelines = cells.pipelines.size();
+  rhi::Ticket last = 0;
+  for (int round = 0; round < 2; ++round)
+    for (const Shown& s : shown) {
+      free.renderer.look({s.camera, free.views.from(s.camera, s.step), s.step});
+      last = free.renderer.show([&](rhi::CommandList& commands, rhi::TextureId color) {
+        commands.copy(rhi::TextureView{.texture = color},
+                      rhi::TextureView{.texture = s.picture.id()});
+      });
+    }
+  device.wait(last);
+  EXPECT_EQ(device.ledger().bytesByLabel(), memory);
+  EXPECT_EQ(cells.pipelines.size(), pipelines);
+  // Places 3 and 1 show nothing, and next to nothing; all others something of their own.
+  std::set<std::vector<std::byte>> different;
+  for (const Shown& s : shown) different.insert(device.read(s.picture));
+  EXPECT_GE(different.size(), shown.size() - 1);
+  for (size_t i = 0; i < shown.size(); ++i) {
+    Scene alone = scene;
+    if (!scene.path.empty()) alone = standingAt(scene, shown[i].step);
+    alone.cameras.front() = shown[i].camera;
+    Cell cell(cells, alone, options);
+    EXPECT_EQ(halfToFloat(device.read(shown[i].picture)), cell.picture().rgba) << "place " << i;
+  }
+}
+
+}  // namespace
+
+GPU_TEST(FreeCamera, ShadowTechniquesShowWhatAStandingCameraSees) {
+  for (const ShadowEntry* technique : shadowTechniques())
+    expectPicturesOfStandingCameras(device(), furnished(true), shownBy(technique->info.name));
+}
+
+GPU_TEST(FreeCamera, TransparencyTechniquesShowWhatAStandingCameraSees) {
+  for (const TransparencyEntry* technique : transparencyTechniques())
+    expectPicturesOfStandingCameras(device(), furnished(false),
+                                    shownBy("ShadowMap", {}, technique->info.name));
+  expectPicturesOfStandingCameras(device(), furnished(false),
+                                  shownBy("ShadowMap", {{"sort", "triangle"}}));
+}
+
+GPU_TEST(FreeCamera, OrdersAndPartitionsFollowTheCamera) {
+  for (const char* order : {"nearest", "triangle"})
+    expectPicturesOfStandingCameras(
+        device(), furnished(true),
+        shownBy("TranslucentShadows", {{"variant", "published"}, {"order", order}}));
+  for (const char* partition : {"peeled", "batches", "source"})
+    expectPicturesOfStandingCameras(device(), furnished(true),
+                                    shownBy("CompositedTranslucent", {{"partition", partition}}));
+  expectPicturesOfStandingCameras(device(), furnished(true),
+                                  shownBy("CompositedTranslucent", {{"levels", "2"}}));
+}
+
+GPU_TEST(FreeCamera, TheWorldMovesOn) {
+  for (const ShadowEntry* technique : shadowTechniques())
+    expectPicturesOfStandingCameras(device(), inhabited(true), shownBy(technique->info.name));
+}
