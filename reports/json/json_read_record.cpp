@@ -2,6 +2,7 @@
 #include <set>
 
 #include "reports/json/json_cell.h"
+#include "reports/json/json_read_error.h"
 
 namespace report {
 namespace {

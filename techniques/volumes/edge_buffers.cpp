@@ -7,15 +7,15 @@ EdgeBuffers::EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeS
   std::vector<gpu::EdgeData> all;
   std::map<uint32_t, size_t> firstEdge;
   for (const uint32_t mesh : meshes) {
-    const EdgeMesh edges = edgeMesh(scene.scene().meshes[mesh]);
+    EdgeMesh edges = edgeMesh(scene.scene().meshes[mesh]);
     firstEdge[mesh] = all.size();
+    all.insert(all.end(), edges.edges.begin(), edges.edges.end());
     m_meshes[mesh] = {.edges = {},
                       .corners = {},
                       .positions = {},
                       .edgeCount = uint32_t(edges.edges.size()),
                       .triangleCount = scene.scene().meshes[mesh].triangleCount(),
-                      .closed = edges.closed};
-    all.insert(all.end(), edges.edges.begin(), edges.edges.end());
+                      .mesh = std::move(edges)};
   }
   const auto bytes = std::as_bytes(std::span(all));
   m_edges = device.createBuffer({.label = "mesh edges",
@@ -26,9 +26,9 @@ EdgeBuffers::EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeS
   for (auto& [index, mesh] : m_meshes) {
     const GpuScene::MeshRange& range = scene.mesh(index);
     const uint64_t vertices = scene.scene().meshes[index].positions.size();
-    mesh.edges = storageWindow(limits, slots.edges, m_edges,
-                               firstEdge[index] * sizeof(gpu::EdgeData),
-                               mesh.edgeCount * sizeof(gpu::EdgeData));
+    mesh.edges =
+        storageWindow(limits, slots.edges, m_edges, firstEdge[index] * sizeof(gpu::EdgeData),
+                      mesh.edgeCount * sizeof(gpu::EdgeData));
     mesh.corners = storageWindow(limits, slots.corners, scene.indices(),
                                  uint64_t(range.firstIndex) * 4, uint64_t(range.indexCount) * 4);
     mesh.positions = storageWindow(limits, slots.positions, scene.positions(),

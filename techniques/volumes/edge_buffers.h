@@ -17,7 +17,8 @@ struct EdgeSlots {
 class EdgeBuffers {
  public:
   EdgeBuffers() = default;
-  /// Of some meshes of the scene, which must outlive this. Throws rhi::Error when the device refuses.
+  /// Of some meshes of the scene, which must outlive this. Throws rhi::Error when the device
+  /// refuses.
   EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeSlots& slots,
               std::span<const uint32_t> meshes);
 
@@ -26,7 +27,7 @@ class EdgeBuffers {
     StorageWindow edges, corners, positions;
     uint32_t edgeCount = 0;
     uint32_t triangleCount = 0;
-    bool closed = false;
+    EdgeMesh mesh;  ///< the same on the CPU
   };
   const MeshEdges& of(uint32_t mesh) const { return m_meshes.at(mesh); }
 

@@ -1,6 +1,7 @@
 #include "techniques/volumes/edge_mesh.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "techniques/scene/geometry/mesh_edges.h"
@@ -8,12 +9,8 @@
 namespace sb {
 namespace {
 
-bool hasArea(const Mesh& mesh, uint32_t triangle) {
-  const auto corner = [&](uint32_t c) {
-    return glm::dvec3(mesh.positions[mesh.indices[3 * size_t(triangle) + c]]);
-  };
-  const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-  return glm::dot(n, n) > 0;
+glm::dvec3 cornerOf(const Mesh& mesh, uint32_t triangle, uint32_t corner) {
+  return mesh.positions[mesh.indices[3 * size_t(triangle) + corner]];
 }
 
 uint32_t packed(const EdgeSide& side) { return 2 * side.triangle + (side.forward ? 1 : 0); }
@@ -32,7 +29,39 @@ void addEdge(std::span<const EdgeSide> sides, EdgeMesh& out) {
   out.closed &= sides.size() == 2 && pairs == 1;
 }
 
+/// EdgeMesh::winding of a closed mesh: the signs of what its connected parts enclose.
+int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
+  std::vector<uint32_t> part(mesh.triangleCount());
+  std::iota(part.begin(), part.end(), 0u);
+  const auto root = [&](uint32_t t) {
+    while (part[t] != t) t = part[t] = part[part[t]];
+    return t;
+  };
+  for (const gpu::EdgeData& e : edges) part[root(e.ends.z >> 1)] = root(e.ends.w >> 1);
+  std::vector<double> volume(part.size(), 0.0);
+  for (uint32_t t = 0; t < part.size(); ++t) {
+    // Relative to a point of the part, so that parts far from zero lose nothing.
+    const glm::dvec3 origin = cornerOf(mesh, root(t), 0);
+    volume[root(t)] +=
+        glm::dot(cornerOf(mesh, t, 0) - origin,
+                 glm::cross(cornerOf(mesh, t, 1) - origin, cornerOf(mesh, t, 2) - origin));
+  }
+  bool outward = true, inward = true;
+  for (uint32_t t = 0; t < part.size(); ++t) {
+    if (root(t) != t || !hasArea(mesh, t)) continue;
+    outward &= volume[t] > 0;
+    inward &= volume[t] < 0;
+  }
+  return outward ? 1 : inward ? -1 : 0;
+}
+
 }  // namespace
+
+bool hasArea(const Mesh& mesh, uint32_t triangle) {
+  const glm::dvec3 a = cornerOf(mesh, triangle, 0);
+  const glm::dvec3 n = glm::cross(cornerOf(mesh, triangle, 1) - a, cornerOf(mesh, triangle, 2) - a);
+  return glm::dot(n, n) > 0;
+}
 
 EdgeMesh edgeMesh(const Mesh& mesh) {
   std::vector<EdgeSide> sides = edgeSides(mesh);
@@ -44,6 +73,7 @@ EdgeMesh edgeMesh(const Mesh& mesh) {
       ++end;
     addEdge(std::span(sides).subspan(first, end - first), out);
   }
+  if (out.closed) out.winding = windingOf(mesh, out.edges);
   return out;
 }
 

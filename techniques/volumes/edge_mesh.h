@@ -1,6 +1,6 @@
-// The edges of a mesh for shadow volumes and wedges (spec 07, signed edge multiplicity): any triangle
-// soup, closed or not. What casts is the sum of whole triangles, each a closed chain of its three
-// edges; so the sides that an edge needs are its signed sum over the triangles that cast.
+// The edges of a mesh for shadow volumes and wedges (spec 07, signed edge multiplicity): any
+// triangle soup, closed or not. What casts is the sum of whole triangles, each a closed chain of
+// its three edges; so the sides that an edge needs are its signed sum over the triangles that cast.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,18 @@ struct EdgeMesh {
   std::vector<gpu::EdgeData> edges;
   /// Every edge has two triangles, of opposite direction: the mesh encloses a volume.
   bool closed = false;
+  /// Closed meshes: 1 where every connected part encloses its inside as it is wound, -1 where every
+  /// one is inside out; else 0.
+  int winding = 0;
 };
+
+/// Triangles without area neither cast nor have edges.
+bool hasArea(const Mesh& mesh, uint32_t triangle);
 
 EdgeMesh edgeMesh(const Mesh& mesh);
 
-/// Signed number of sides along an edge; `casts`: of a triangle, 1 as it is wound, -1 turned over, 0
-/// not at all.
+/// Signed number of sides along an edge; `casts`: of a triangle, 1 as it is wound, -1 turned over,
+/// 0 not at all.
 int edgeMultiplicity(const gpu::EdgeData& edge, const std::function<int(uint32_t)>& casts);
 
 }  // namespace sb

@@ -275,6 +275,17 @@ TEST(Describe, NamesWhatIsInAScene) {
                            "translucent-overlap", "may overlap as the light sees them",
                            "Does not call for", "no light that touches the view has an extent"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_TRUE(j["motion"].is_null());
+  EXPECT_EQ(text.find("moves in"), std::string::npos);
+}
+
+TEST(Describe, NamesWhatMoves) {
+  const Scene scene = makeScene("spheres_quads:quads=5,spheres=5,moving=3?motion:steps=4");
+  const Effects e = analyse(scene, 1);
+  EXPECT_EQ(describeJson(scene, e)["motion"],
+            nlohmann::json({{"steps", 4}, {"camera", false}, {"lights", 0}, {"instances", 3}}));
+  EXPECT_NE(describeText(scene, e).find("moves in 4 steps: 3 instances, 0 lights\n"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tests/techniques/cell.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -46,7 +47,7 @@ std::vector<float> floats(std::span<const std::byte> bytes) {
 RendererDesc rendererDescOf(const CellOptions& options) {
   std::map<std::string, std::string> given = options.knobs;
   const std::string technique = options.entry ? "none" : options.technique;
-  if (technique != "none") given.try_emplace("size", "256");
+  if (hasKnob(technique, "size")) given.try_emplace("size", "256");
   RendererDesc desc = rendererDesc({.technique = technique,
                                     .transparency = options.transparency,
                                     .knobs = {given.begin(), given.end()},
@@ -66,6 +67,11 @@ const rhi::ShaderLibrary& productionShaders() {
     return lib;
   }();
   return library;
+}
+
+bool hasKnob(const std::string& technique, const std::string& knob) {
+  const auto& knobs = shadowTechnique(technique).info.knobs;
+  return std::ranges::find(knobs, knob, &KnobInfo::name) != knobs.end();
 }
 
 Cell::Cell(CellDevice& device, Scene scene, const CellOptions& options)

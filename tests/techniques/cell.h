@@ -23,6 +23,9 @@ struct CellDevice {
   FrameQueries queries;
 };
 
+/// A shadow technique, by name, has a knob.
+bool hasKnob(const std::string& technique, const std::string& knob);
+
 struct CellOptions {
   std::string technique = "ShadowMap";
   std::map<std::string, std::string> knobs = {};  ///< the rest are defaults, but for size: 256

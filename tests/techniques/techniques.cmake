@@ -22,6 +22,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/steady_frames_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stochastic_shadow_map_test.cpp
@@ -46,4 +47,5 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/volume_geometry_test.cpp)

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
+#include "techniques/scene/placed_scene.h"
 
 namespace sb {
 namespace {
@@ -81,6 +83,24 @@ json cameraJson(const Camera& camera) {
   return j;
 }
 
+/// Steps of the loop, and what moves along it; null: nothing.
+json motionJson(const Scene& scene) {
+  if (scene.path.empty()) return {};
+  const Moving moving(scene);
+  const auto lights = std::ranges::count_if(scene.lights, [](auto& l) { return l.pose != kNone; });
+  return {{"steps", scene.path.size()},
+          {"camera", moving.camera},
+          {"lights", lights},
+          {"instances", moving.instances.size()}};
+}
+
+std::string motionLine(const json& motion) {
+  return fmt::format("  moves in {} steps: {} instances, {} lights{}\n",
+                     motion["steps"].get<size_t>(), motion["instances"].get<size_t>(),
+                     motion["lights"].get<size_t>(),
+                     motion["camera"].get<bool>() ? ", the camera" : "");
+}
+
 /// ", ellipsoid of half axes 1, 1, 1"
 std::string extentText(const Light& light) {
   if (!isAreaLight(light)) return "";
@@ -116,6 +136,7 @@ json describeJson(const Scene& scene, const Effects& effects) {
             {"materials", materialsJson(scene)},
             {"visible_instances", effects.visibleOpaque.size() + effects.visibleTranslucent.size()},
             {"media", scene.media.size()},
+            {"motion", motionJson(scene)},
             {"warnings", scene.warnings}};
   size_t own = 0, instanced = 0;
   for (const Mesh& mesh : scene.meshes) own += mesh.triangleCount();
@@ -146,6 +167,7 @@ std::string describeText(const Scene& scene, const Effects& effects) {
       materials["opaque"].get<int>(), materials["perforated"].get<int>(),
       materials["translucent"].get<int>(), scene.images.size(), scene.lights.size(),
       scene.cameras.size(), scene.media.size());
+  if (!scene.path.empty()) text += motionLine(j["motion"]);
   text += "\nCameras (the first is shown)\n";
   for (size_t i = 0; i < scene.cameras.size(); ++i)
     text += fmt::format("  {} {}{}\n", i, scene.cameras[i].name,

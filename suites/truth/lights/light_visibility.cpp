@@ -192,11 +192,16 @@ void LightVisibility::ask(uint32_t light, std::span<const Query> queries,
     const size_t count = std::min<size_t>(kPacket, queries.size() - first);
     for (size_t i = 0; i < count; ++i) {
       const Tracer::Point& point = *queries[first + i].point;
-      rays[i] = {.point = &point, .target = m_scene.target(light, point.position)};
+      rays[i].point = &point;
+      rays[i].target = m_scene.target(light, point.position);
     }
     m_scene.pass(std::span(rays).first(count), scratch.packet);
-    for (size_t i = 0; i < count; ++i)
-      *queries[first + i].answer = {.visible = rays[i].passed, .rays = 1};
+    for (size_t i = 0; i < count; ++i) {
+      Answer& answer = *queries[first + i].answer;
+      answer = {};
+      answer.visible = rays[i].passed;
+      answer.rays = 1;
+    }
   }
 }
 

@@ -32,22 +32,28 @@ struct BoxTreeView {
   uint32_t root;  ///< as BoxNode::child
 };
 
-/// Distances along it count in its largest component.
-struct WalkRay {
-  float origin[3];
-  float inverse[3];  ///< of the direction, finite
-  float end;
+/// A ray as triangles meet it.
+struct WalkLine {
   int kx, ky, kz;  ///< as ShearedRay
   double ox, oy, oz, sx, sy;
   uint32_t own;  ///< the triangle that is not asked for
 };
 
-/// Rays whose directions have the same signs, side by side.
+/// Distances along it count in its largest component.
+struct WalkRay {
+  float origin[3];
+  float inverse[3];  ///< of the direction, finite
+  float end;
+  WalkLine line;
+};
+
+/// Rays whose directions have the same signs, side by side. In places without a ray: `end` is
+/// negative, origin and inverse are those of another.
 struct alignas(32) WalkPacket {
   float origin[3][kPacket];
   float inverse[3][kPacket];
   float end[kPacket];  ///< negative: no ray there, or it ended
-  WalkRay rays[kPacket];
+  WalkLine lines[kPacket];
 };
 
 /// Asked for triangles that the ray's line meets: how far to walk on; negative ends the walk.

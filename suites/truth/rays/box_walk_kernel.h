@@ -15,6 +15,7 @@ namespace {
 
 using Floats = float __attribute__((vector_size(4 * kBoxes)));
 using Ints = int __attribute__((vector_size(4 * kBoxes)));
+using FourInts = int __attribute__((vector_size(4 * kLeafTriangles)));
 using Doubles = double __attribute__((vector_size(8 * kLeafTriangles)));
 using Longs = long long __attribute__((vector_size(8 * kLeafTriangles)));
 
@@ -28,6 +29,15 @@ using Longs = long long __attribute__((vector_size(8 * kLeafTriangles)));
 #else
   uint32_t bits = 0;
   for (uint32_t i = 0; i < kBoxes; ++i) bits |= uint32_t(mask[i] & 1) << i;
+  return bits;
+#endif
+}
+[[gnu::always_inline]] inline uint32_t bits(const FourInts& mask) {
+#if defined(__SSE2__)
+  return uint32_t(_mm_movemask_ps(__m128(mask)));
+#else
+  uint32_t bits = 0;
+  for (uint32_t i = 0; i < kLeafTriangles; ++i) bits |= uint32_t(mask[i] & 1) << i;
   return bits;
 #endif
 }
@@ -46,7 +56,7 @@ using Longs = long long __attribute__((vector_size(8 * kLeafTriangles)));
 
 /// Triangles of the leaf that the ray's line may meet: `intersect` in watertight.h up to its rules
 /// for edges, operation by operation.
-[[gnu::always_inline]] inline uint32_t candidates(const TriangleLeaf& leaf, const WalkRay& ray) {
+[[gnu::always_inline]] inline uint32_t candidates(const TriangleLeaf& leaf, const WalkLine& ray) {
   Doubles x[3], y[3];
   for (int i = 0; i < 3; ++i) {
     const auto* corner = reinterpret_cast<const Doubles*>(leaf.corner[i]);
@@ -58,7 +68,17 @@ using Longs = long long __attribute__((vector_size(8 * kLeafTriangles)));
   const Doubles b = x[2] * y[0] - y[2] * x[0];
   const Doubles c = x[0] * y[1] - y[0] * x[1];
   const Longs inside = ((a >= 0) & (b >= 0) & (c >= 0)) | ((a <= 0) & (b <= 0) & (c <= 0));
-  return bits(inside);
+  // Asked of each by itself, the one that a shadow ray starts on would mislead the CPU's guesses.
+  const FourInts own = *reinterpret_cast<const FourInts*>(leaf.triangle) == int(ray.own);
+  return bits(inside) & ~bits(own);
+}
+
+/// Trees of large scenes do not fit into caches: what will be visited is sent for early.
+[[gnu::always_inline]] inline void prefetch(const BoxTreeView& tree, uint32_t child) {
+  const bool leaf = child & kLeafChild;
+  const char* at = leaf ? reinterpret_cast<const char*>(&tree.leaves[child & ~kLeafChild])
+                        : reinterpret_cast<const char*>(&tree.nodes[child]);
+  for (uint32_t line = 0; line < sizeof(BoxNode); line += 64) __builtin_prefetch(at + line);
 }
 
 /// Three roundings of a distance.
@@ -143,19 +163,26 @@ void walkRay(const BoxTreeView& tree, const WalkRay& ray, Candidate candidate, v
     }
     if (!(child & kLeafChild)) continue;
     const TriangleLeaf& leaf = tree.leaves[child & ~kLeafChild];
-    for (uint32_t hit = candidates(leaf, ray); hit != 0; hit &= hit - 1) {
+    for (uint32_t hit = candidates(leaf, ray.line); hit != 0; hit &= hit - 1) {
       const uint32_t triangle = leaf.triangle[__builtin_ctz(hit)];
-      if (triangle == ray.own) continue;
       end = candidate(search, triangle, end);
       if (end < 0) return;
     }
   } while (stack.pop(child, end));
 }
 
-/// Least and greatest of the rays that there are.
+/// Least and greatest of a packet's rays.
 struct Interval {
-  float low = __builtin_huge_valf(), high = -__builtin_huge_valf();
-  void add(float v) { low = v < low ? v : low, high = v > high ? v : high; }
+  float low, high;
+  [[gnu::always_inline]] explicit Interval(const Floats& v) {
+    const Ints halves{4, 5, 6, 7, 0, 1, 2, 3}, pairs{2, 3, 0, 1, 6, 7, 4, 5},
+        singles{1, 0, 3, 2, 5, 4, 7, 6};
+    Floats a = smaller(v, __builtin_shuffle(v, halves)),
+           b = larger(v, __builtin_shuffle(v, halves));
+    a = smaller(a, __builtin_shuffle(a, pairs)), b = larger(b, __builtin_shuffle(b, pairs));
+    low = smaller(a, __builtin_shuffle(a, singles))[0];
+    high = larger(b, __builtin_shuffle(b, singles))[0];
+  }
 };
 
 /// A node's boxes are tested with all of the packet's rays at once, by intervals that hold each
@@ -163,15 +190,11 @@ struct Interval {
 void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate candidate,
                 void* search) {
   const Floats zero{};
-  Interval origin[3], inverse[3], ends;
-  for (uint32_t r = 0; r < kPacket; ++r) {
-    if (packet.end[r] < 0) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      origin[axis].add(packet.origin[axis][r]);
-      inverse[axis].add(packet.inverse[axis][r]);
-    }
-    ends.add(packet.end[r]);
-  }
+  const auto* po = reinterpret_cast<const Floats*>(packet.origin);
+  const auto* pi = reinterpret_cast<const Floats*>(packet.inverse);
+  const auto& ends = *reinterpret_cast<const Floats*>(packet.end);
+  const Interval origin[3] = {Interval(po[0]), Interval(po[1]), Interval(po[2])};
+  const Interval inverse[3] = {Interval(pi[0]), Interval(pi[1]), Interval(pi[2])};
   const Sides s([&](int axis) { return inverse[axis].low; });
   // Boxes are entered soonest from the origins nearest to them, and left last from the farthest.
   const auto at = [&](int axis, bool entering) {
@@ -181,34 +204,35 @@ void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate can
   const Floats o1[3] = {at(0, false), at(1, false), at(2, false)};
   const Floats low[3] = {zero + inverse[0].low, zero + inverse[1].low, zero + inverse[2].low};
   const Floats high[3] = {zero + inverse[0].high, zero + inverse[1].high, zero + inverse[2].high};
-  const auto* po = reinterpret_cast<const Floats*>(packet.origin);
-  const auto* pi = reinterpret_cast<const Floats*>(packet.inverse);
-  float end = ends.high;
+  float end = Interval(ends).high;
+  uint32_t walking = bits(ends >= 0);
   Entry stack[kTreeDepth * (kBoxes - 1) + 1];
   uint32_t depth = 1;
   stack[0] = {tree.root, 0, (1u << kPacket) - 1};
   while (depth > 0) {
     const Entry entry = stack[--depth];
-    if (entry.from * kLess > end) continue;
+    const uint32_t entering = entry.rays & walking;
+    if (entry.from * kLess > end || entering == 0) continue;
     if (!(entry.child & kLeafChild)) {
       const BoxNode& node = tree.nodes[entry.child];
       const auto* b = reinterpret_cast<const Floats*>(node.bounds);
+      const uint32_t begin = depth;
       Floats from = zero, to = zero + end;
       for (int axis = 0; axis < 3; ++axis) {
         const Floats enter = b[s.near[axis]] - o0[axis], leave = b[s.far[axis]] - o1[axis];
         from = larger(from, smaller(enter * low[axis], enter * high[axis]));
         to = smaller(to, larger(leave * low[axis], leave * high[axis]));
       }
-      const uint32_t begin = depth;
       for (uint32_t hit = bits(from * kLess <= to * kMore); hit != 0; hit &= hit - 1) {
         const uint32_t c = uint32_t(__builtin_ctz(hit));
-        Floats enter = zero, leave = *reinterpret_cast<const Floats*>(packet.end);
+        Floats enter = zero, leave = ends;
         for (int axis = 0; axis < 3; ++axis) {
           enter = larger(enter, (node.bounds[s.near[axis]][c] - po[axis]) * pi[axis]);
           leave = smaller(leave, (node.bounds[s.far[axis]][c] - po[axis]) * pi[axis]);
         }
-        const uint32_t rays = bits(enter * kLess <= leave * kMore) & entry.rays;
+        const uint32_t rays = bits(enter * kLess <= leave * kMore) & entering;
         if (rays == 0) continue;
+        prefetch(tree, node.child[c]);
         // Farther ones lie deeper.
         uint32_t place = depth++;
         for (; place > begin && stack[place - 1].from < from[c]; --place)
@@ -219,12 +243,10 @@ void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate can
     }
     const TriangleLeaf& leaf = tree.leaves[entry.child & ~kLeafChild];
     bool shortened = false;
-    for (uint32_t rays = entry.rays; rays != 0; rays &= rays - 1) {
+    for (uint32_t rays = entering; rays != 0; rays &= rays - 1) {
       const uint32_t r = uint32_t(__builtin_ctz(rays));
-      if (packet.end[r] < 0) continue;
-      for (uint32_t hit = candidates(leaf, packet.rays[r]); hit != 0; hit &= hit - 1) {
+      for (uint32_t hit = candidates(leaf, packet.lines[r]); hit != 0; hit &= hit - 1) {
         const uint32_t triangle = leaf.triangle[__builtin_ctz(hit)];
-        if (triangle == packet.rays[r].own) continue;
         const float before = packet.end[r];
         packet.end[r] = candidate(search, r, triangle, before);
         shortened |= packet.end[r] < before;
@@ -232,8 +254,8 @@ void walkPacket(const BoxTreeView& tree, WalkPacket& packet, PacketCandidate can
       }
     }
     if (!shortened) continue;
-    end = -1;
-    for (uint32_t r = 0; r < kPacket; ++r) end = packet.end[r] > end ? packet.end[r] : end;
+    end = Interval(ends).high;
+    walking = bits(ends >= 0);
     if (end < 0) return;
   }
 }

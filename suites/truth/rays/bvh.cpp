@@ -37,26 +37,26 @@ class Packet {
     const uint32_t signs = signsOf(ray.direction);
     if (signs != m_signs) walk();
     m_signs = signs;
-    WalkRay& out = m_packet.rays[m_count];
     // To the sun all rays run alike.
-    const bool alike = m_count > 0 && ray.direction == m_direction;
-    m_direction = ray.direction;
-    m_searches[m_count].begin(m_triangles, ray, hits, alike ? &m_searches[m_count - 1] : nullptr);
-    m_searches[m_count].setOut(m_margin, out);
+    if (!m_heading.isThatOf(ray.direction)) m_heading = Heading(ray.direction);
+    RaySearch& search = m_searches[m_count];
+    search.begin(m_triangles, ray, m_heading, m_margin, m_packet.lines[m_count], hits);
     m_numbers[m_count] = number;
     for (int axis = 0; axis < 3; ++axis) {
-      m_packet.origin[axis][m_count] = out.origin[axis];
-      m_packet.inverse[axis][m_count] = out.inverse[axis];
+      m_packet.origin[axis][m_count] = float(ray.origin[axis]);
+      m_packet.inverse[axis][m_count] = m_heading.inverse[axis];
     }
-    m_packet.end[m_count] = out.end;
+    m_packet.end[m_count] = search.end();
     if (++m_count == kPacket) walk();
   }
   /// Walks with those that were added.
   void walk() {
     if (m_count == 0) return;
     for (uint32_t r = m_count; r < kPacket; ++r) {
-      for (int axis = 0; axis < 3; ++axis)
-        m_packet.origin[axis][r] = 0, m_packet.inverse[axis][r] = 1;
+      for (int axis = 0; axis < 3; ++axis) {
+        m_packet.origin[axis][r] = m_packet.origin[axis][0];
+        m_packet.inverse[axis][r] = m_packet.inverse[axis][0];
+      }
       m_packet.end[r] = -1;
     }
     m_walks.packet(
@@ -82,7 +82,7 @@ class Packet {
   std::array<RaySearch, kPacket> m_searches;
   std::array<size_t, kPacket> m_numbers;
   WalkPacket m_packet;
-  glm::dvec3 m_direction = glm::dvec3(0);  ///< of the last one
+  Heading m_heading;  ///< of the last one
   uint32_t m_signs = 0;
   uint32_t m_count = 0;
 };
@@ -98,10 +98,15 @@ void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& o
     RaySearch search;
     const Judge& judge;
   } context{{}, judge};
-  context.search.begin(m_triangles, ray, out);
-  if (m_tree.empty()) return;
+  const Heading heading(ray.direction);
   WalkRay walked;
-  context.search.setOut(m_margin, walked);
+  context.search.begin(m_triangles, ray, heading, m_margin, walked.line, out);
+  if (m_tree.empty()) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    walked.origin[axis] = float(ray.origin[axis]);
+    walked.inverse[axis] = heading.inverse[axis];
+  }
+  walked.end = context.search.end();
   walks.ray(
       m_tree.view(), walked,
       [](void* self, uint32_t triangle, float before) {
@@ -127,7 +132,8 @@ void Bvh::hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
 void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                     const Judge& judge, std::vector<TruthHit>& out) {
   RaySearch search;
-  search.begin(triangles, ray, out);
+  WalkLine line;
+  search.begin(triangles, ray, Heading(ray.direction), 0, line, out);
   for (uint32_t i = 0; i < triangles.size(); ++i)
     if (i != ray.own) search.test(i, judge);
   search.finish();

@@ -223,12 +223,6 @@ bool RayScene::isInPlane(uint32_t triangle, const dvec3& place) const {
   return touches(m_triangles[triangle], place);
 }
 
-RayScene::Target RayScene::target(uint32_t light, const dvec3& position) const {
-  if (m_scene.lights[light].type == LightType::Directional)
-    return {.toward = toLight(light, position), .place = dvec3(0), .infinite = true};
-  return {.toward = m_lightPositions[light] - position, .place = m_lightPositions[light]};
-}
-
 std::optional<Tracer::Point> RayScene::ownSurfaceAlong(uint32_t light, const Tracer::Point& point,
                                                        double reach,
                                                        std::vector<TruthHit>& scratch) const {

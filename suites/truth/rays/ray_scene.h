@@ -1,7 +1,7 @@
 // A scene as rays meet it: what a camera ray passes and where it ends, and how much of a light
 // arrives at a point (spec 16, camera path and transmittance along a shadow ray). Surfaces in one
-// plane (techniques/scene/geometry/coplanar.h) are layers in the order of their keys and do not shadow each
-// other; nothing is decided by a share of the distance from the eye.
+// plane (techniques/scene/geometry/coplanar.h) are layers in the order of their keys and do not
+// shadow each other; nothing is decided by a share of the distance from the eye.
 #pragma once
 
 #include "shaders/common/shared_shading.h"
@@ -36,7 +36,11 @@ class RayScene {
     bool infinite = false;
   };
   /// The light's centre.
-  Target target(uint32_t light, const glm::dvec3& position) const;
+  Target target(uint32_t light, const glm::dvec3& position) const {
+    if (m_scene.lights[light].type == LightType::Directional)
+      return {.toward = m_lightDirections[light], .place = glm::dvec3(0), .infinite = true};
+    return {.toward = m_lightPositions[light] - position, .place = m_lightPositions[light]};
+  }
   /// Product of what each surface and medium between lets through; 0 at the first opaque one.
   /// `ownNear`: the receiver's own instance does not count within that distance.
   glm::dvec3 passed(const Tracer::Point& point, const Target& target,
@@ -60,8 +64,7 @@ class RayScene {
   /// Where the receiver's own instance lies nearest to `point` along the light, `reach` to either
   /// side; the point as if it lay there.
   std::optional<Tracer::Point> ownSurfaceAlong(uint32_t light, const Tracer::Point& point,
-                                               double reach,
-                                               std::vector<TruthHit>& scratch) const;
+                                               double reach, std::vector<TruthHit>& scratch) const;
   /// Does the light reach the side of the surface that the viewer sees?
   bool reaches(uint32_t light, const Tracer::Point& point) const;
   gpu::Illumination illumination(uint32_t light, const Tracer::Point& point) const;

@@ -12,29 +12,63 @@
 
 namespace sb {
 
+/// A direction as searches and walks take it: what rays that run alike share.
+class Heading {
+ public:
+  Heading() = default;
+  explicit Heading(const glm::dvec3& direction) : m_direction(direction) {
+    sheared.head(direction);
+    const double side = std::copysign(1, sheared.dz);
+    length = std::abs(sheared.dz);
+    inverse[sheared.kx] = inverseOf(side * sheared.sx);
+    inverse[sheared.ky] = inverseOf(side * sheared.sy);
+    inverse[sheared.kz] = float(side);
+  }
+  bool isThatOf(const glm::dvec3& direction) const { return direction == m_direction; }
+
+  ShearedRay<double> sheared;  ///< without an origin
+  float inverse[3];            ///< of the direction over its largest component
+  double length;               ///< the largest component
+
+ private:
+  /// Components that are smaller shares of the largest one move nothing by a margin within the
+  /// scene.
+  static constexpr float kLeastShare = 1e-18f;
+  static float inverseOf(double share) {
+    const float s = float(share);
+    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
+  }
+
+  glm::dvec3 m_direction = glm::dvec3(0);
+};
+
 class RaySearch {
  public:
-  /// In place: what is copied right after it was written, the CPU waits for. `alike`: a search in
-  /// the same direction, if there is one; its heading is taken over.
+  /// In place, number by number: what is copied right after it was written, the CPU waits for. All
+  /// that is given must outlive the search. `margin`: that of the tree.
   void begin(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
-             std::vector<TruthHit>& out, const RaySearch* alike = nullptr) {
+             const Heading& heading, double margin, WalkLine& line, std::vector<TruthHit>& out) {
     m_triangles = triangles.data();
     m_ray = &ray;
     m_out = &out;
+    m_line = &line;
+    m_dz = heading.sheared.dz;
+    m_length = heading.length;
+    m_slack = 2 * margin;
     m_nearest = std::numeric_limits<double>::infinity();
     m_stopped = false;
-    if (alike)
-      takeHeading(*alike);
-    else
-      head(ray.direction);
-    m_sheared.start(ray.origin);
+    const ShearedRay<double>& h = heading.sheared;
+    line.kx = h.kx, line.ky = h.ky, line.kz = h.kz;
+    line.sx = h.sx, line.sy = h.sy;
+    const double* origin = glm::value_ptr(ray.origin);
+    line.ox = origin[h.kx], line.oy = origin[h.ky], line.oz = origin[h.kz];
+    line.own = ray.own;
     out.clear();
   }
-
   template <class Judge>
   void test(uint32_t index, const Judge& judge) {
     if (m_stopped) return;
-    const auto hit = intersect(m_sheared, m_triangles[index].corners);
+    const auto hit = intersect(sheared(), m_triangles[index].corners);
     if (!hit || !(hit->t > m_ray->tMin) || !(hit->t < m_ray->tMax) || hit->t > m_nearest) return;
     const TruthHit found{hit->t, hit->b, hit->c, index, hit->front};
     const Bvh::Verdict verdict = judge(found);
@@ -54,19 +88,8 @@ class RaySearch {
     std::erase_if(*m_out, [&](const TruthHit& h) { return h.t > m_nearest; });
   }
 
-  /// Sets out as the tree's walks take it. `margin`: that of the tree.
-  void setOut(double margin, WalkRay& ray) {
-    m_slack = 2 * margin;
-    ray.end = end(m_ray->tMax);
-    ray.kx = m_sheared.kx, ray.ky = m_sheared.ky, ray.kz = m_sheared.kz;
-    ray.ox = m_sheared.ox, ray.oy = m_sheared.oy, ray.oz = m_sheared.oz;
-    ray.sx = m_sheared.sx, ray.sy = m_sheared.sy;
-    ray.own = m_ray->own;
-    for (int axis = 0; axis < 3; ++axis) {
-      ray.origin[axis] = float(glm::value_ptr(m_ray->origin)[axis]);
-      ray.inverse[axis] = m_inverse[axis];
-    }
-  }
+  /// How far to walk at most.
+  float end() const { return end(m_ray->tMax); }
   /// How far to walk on, having walked to `before`.
   float walkedEnd(float before) const {
     if (m_stopped) return -1;
@@ -78,33 +101,20 @@ class RaySearch {
   /// Boxes that begin behind need not be entered.
   float end(double t) const { return float(t * m_length * (1 + 1e-5) + m_slack); }
 
-  void head(const glm::dvec3& direction) {
-    m_sheared.head(direction);
-    const double side = std::copysign(1, m_sheared.dz);
-    m_length = std::abs(m_sheared.dz);
-    m_inverse[m_sheared.kx] = inverseOf(side * m_sheared.sx);
-    m_inverse[m_sheared.ky] = inverseOf(side * m_sheared.sy);
-    m_inverse[m_sheared.kz] = float(side);
-  }
-  void takeHeading(const RaySearch& other) {
-    m_sheared = other.m_sheared;
-    m_length = other.m_length;
-    std::ranges::copy(other.m_inverse, m_inverse);
-  }
-  /// Components that are smaller shares of the largest one move nothing by a margin within the
-  /// scene.
-  static constexpr float kLeastShare = 1e-18f;
-  static float inverseOf(double share) {
-    const float s = float(share);
-    return 1 / std::copysign(std::max(std::abs(s), kLeastShare), s);
+  ShearedRay<double> sheared() const {
+    ShearedRay<double> ray;
+    ray.kx = m_line->kx, ray.ky = m_line->ky, ray.kz = m_line->kz;
+    ray.sx = m_line->sx, ray.sy = m_line->sy, ray.dz = m_dz;
+    ray.ox = m_line->ox, ray.oy = m_line->oy, ray.oz = m_line->oz;
+    return ray;
   }
 
   const TruthTriangle* m_triangles;
   const TruthRay* m_ray;
-  ShearedRay<double> m_sheared;
   std::vector<TruthHit>* m_out;
-  float m_inverse[3];  ///< of the direction over its largest component
-  double m_length;     ///< the largest component
+  const WalkLine* m_line;
+  double m_dz;      ///< as ShearedRay
+  double m_length;  ///< the direction's largest component
   double m_slack;
   double m_nearest;
   bool m_stopped;

@@ -1,0 +1,147 @@
+#include "techniques/volumes/caster_volume.h"
+
+#include <algorithm>
+
+#include "techniques/volumes/near_pyramid.h"
+
+namespace sb {
+namespace {
+
+/// A light and the camera, for all casters.
+struct VolumeScene {
+  const SceneView& view;
+  const VolumeChoice& choice;
+  const Light& light;
+  glm::dvec4 place;  ///< relative to the eye, w 1; or the way to it, w 0
+  std::array<glm::dvec3, 4> nearRectangle;
+  double reach;  ///< no receiver is farther from the light (directional: from any caster)
+
+  bool local() const { return light.type != LightType::Directional; }
+  bool orthographic() const { return view.placed().camera().orthographic; }
+};
+
+/// VolumeScene::reach, of receivers that the light reaches.
+double reachOf(const SceneView& view, const Light& light) {
+  const bool local = light.type != LightType::Directional;
+  if (local && light.range > 0) return light.range;
+  Box all;
+  for (uint32_t i = 0; i < view.scene().instances.size(); ++i)
+    all.add(instanceBox(view.placed(), i, view.camera().eye));
+  if (!local) return 2 * all.radius();
+  double reach = 0;
+  for (int corner = 0; corner < 8; ++corner)
+    reach = std::max(reach, glm::distance(all.corner(corner), light.position - view.camera().eye));
+  return reach;
+}
+
+VolumeScene volumeScene(const SceneView& view, const VolumeChoice& choice, uint32_t light) {
+  const Light& l = view.placed().light(light);
+  const bool local = l.type != LightType::Directional;
+  return {view,
+          choice,
+          l,
+          local ? glm::dvec4(l.position - view.camera().eye, 1) : glm::dvec4(-l.direction, 0),
+          nearRectangle(view.placed().camera(), view.aspect()),
+          reachOf(view, l)};
+}
+
+/// Closed, and never seen from within while the eye is not there: rays from the eye to what they
+/// show leave it as often as they enter.
+bool isSolid(const VolumeScene& s, uint32_t instance, const EdgeMesh& edges) {
+  const Scene& scene = s.view.scene();
+  const Material& material = scene.materials[scene.meshes[scene.instances[instance].mesh].material];
+  // Faces that are not shown let the eye in, where the mesh is inside out.
+  const bool mirrored = s.view.instance(instance).normal0.w < 0;
+  return edges.closed && material.alphaMode != AlphaMode::Mask &&
+         (material.doubleSided || edges.winding == (mirrored ? -1 : 1));
+}
+
+/// Between two points outside a closed mesh there are as many triangles that face the light as
+/// others: the others alone cast the same shadow, and leave the edge between lit and unlit facets
+/// in the dark. Everything else is cast by all triangles.
+uint32_t castsOf(const VolumeScene& s, const Box& box, bool solid) {
+  Box near;
+  for (const glm::dvec3& corner : s.nearRectangle) near.add(corner);
+  Box light;
+  if (s.local()) light.add(glm::dvec3(s.place));
+  const bool outside = !box.touches(near) && !(s.local() && box.touches(light));
+  return s.choice.casts.value_or(solid && outside ? CASTS_BACK : CASTS_ALL);
+}
+
+/// VolumeData::extent.
+float extentOf(const VolumeScene& s, const Box& box) {
+  if (s.choice.finite) return float(s.reach);
+  if (!s.orthographic()) return 0;
+  // Volumes are scaled from the light, so their least distance grows to the reach. Around a light
+  // within the caster's box, triangles are taken to be no nearer than a small part of it.
+  const glm::dvec3 light(s.place);
+  const double distance = glm::distance(light, glm::clamp(light, box.low, box.high));
+  const double least = s.local() ? std::max(distance, box.radius() * 0x1p-12) : 1;
+  return float(least / (1.01 * s.reach));
+}
+
+CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32_t instance) {
+  const uint32_t mesh = s.view.scene().instances[instance].mesh;
+  const EdgeBuffers::MeshEdges& e = edges.of(mesh);
+  Box box = instanceBox(s.view.placed(), instance, s.view.camera().eye);
+  box.grow(1e-6 * (glm::length(box.center()) + box.radius()));
+  const bool solid = isSolid(s, instance, e.mesh);
+  const uint32_t casts = castsOf(s, box, solid);
+  const bool meets = meetsNearPyramid(s.nearRectangle, s.place, box.center(), box.radius());
+  CasterVolume v{.instance = instance,
+                 .mesh = mesh,
+                 .count = s.choice.count.value_or(meets ? DepthCount::Fail : DepthCount::Pass),
+                 .parts = {VOLUME_SIDES}};
+  // Counting before the receiver ends at the caster itself, where that is seen whole, and as part
+  // of a solid.
+  if (v.count == DepthCount::Fail || s.choice.finite || !solid) {
+    if (casts != CASTS_BACK) v.parts.push_back(VOLUME_CAPS);
+    if (casts != CASTS_LIGHT) v.parts.push_back(VOLUME_TURNED);
+  }
+  const gpu::InstanceData& placed = s.view.instance(instance);
+  const glm::dvec3 origin(s.view.placed().toWorld(instance)[3]);
+  const float extent = extentOf(s, box);
+  const bool point = !s.local() && extent == 0;
+  v.data = {
+      .row0 = placed.toRelative0,
+      .row1 = placed.toRelative1,
+      .row2 = placed.toRelative2,
+      .light = s.local() ? glm::vec4(glm::vec3(origin - s.light.position), 1)
+                         : glm::vec4(glm::vec3(s.light.direction), 0),
+      .extent = glm::vec4(glm::vec3(s.place), extent),
+      .first = {e.edges.first, e.corners.first, e.positions.first, 0},
+      .lists = {},
+      .counts = {e.edgeCount, e.triangleCount, casts, e.mesh.closed && casts != CASTS_ALL ? 1 : 2},
+      .vertices = {point ? 3 : 6, point ? 3 : 6, 0, 0}};
+  for (const uint32_t part : v.parts) {
+    v.data.vertices.z |= 1u << part;
+    v.items[part] = part == VOLUME_SIDES ? e.edgeCount * v.data.counts.w : e.triangleCount;
+  }
+  return v;
+}
+
+}  // namespace
+
+std::vector<uint32_t> volumeCasters(const LightEffects& light) {
+  std::vector<uint32_t> casters;
+  if (!light.touchesView) return casters;
+  std::ranges::set_union(light.opaqueCasters, light.perforatedCasters, std::back_inserter(casters));
+  return casters;
+}
+
+std::vector<LightVolumes> lightVolumes(const SceneView& view, const EdgeBuffers& edges,
+                                       const VolumeChoice& choice) {
+  std::vector<LightVolumes> lights;
+  uint32_t number = 0;
+  for (const LightEffects& effects : view.effects().lights) {
+    const std::vector<uint32_t> casters = volumeCasters(effects);
+    if (casters.empty()) continue;
+    const VolumeScene scene = volumeScene(view, choice, effects.light);
+    LightVolumes& light = lights.emplace_back(LightVolumes{.light = effects.light, .casters = {}});
+    for (const uint32_t instance : casters)
+      light.casters.emplace_back(casterVolume(scene, edges, instance)).number = number++;
+  }
+  return lights;
+}
+
+}  // namespace sb

@@ -1,0 +1,51 @@
+// The shadow volumes of a frame (spec 07): for each light the casters that may darken the view,
+// which of their triangles cast, and how their volumes are counted. Chosen anew at every step of a
+// path: all of it depends on where light, caster and camera are.
+#pragma once
+
+#include <optional>
+
+#include "shaders/common/shared_volume.h"
+#include "techniques/draw/scene_view.h"
+#include "techniques/volumes/edge_buffers.h"
+
+namespace sb {
+
+/// What a ray from the eye counts: volumes entered and left before the receiver, or behind it.
+enum class DepthCount : uint8_t { Pass, Fail };
+
+/// What is the same for all casters; absent: chosen for each, so that the picture is exact.
+struct VolumeChoice {
+  std::optional<uint32_t> casts = {};  ///< CASTS_*
+  std::optional<DepthCount> count = {};
+  bool finite = false;  ///< extruded as far as the light reaches, else to infinity
+};
+
+struct CasterVolume {
+  uint32_t instance = 0;
+  uint32_t mesh = 0;
+  DepthCount count = DepthCount::Fail;
+  std::vector<uint32_t> parts;  ///< VOLUME_*, those that are drawn
+  gpu::VolumeData data{};       ///< but for the lists
+  /// Items of each part (shaders/common/volume_vertex.glsl), at most.
+  std::array<uint32_t, VOLUME_PARTS> items{};
+  uint32_t number = 0;  ///< among all volumes of the frame
+
+  uint32_t vertices(uint32_t part) const {
+    return items[part] * (part == VOLUME_SIDES ? data.vertices.x : data.vertices.y);
+  }
+};
+
+struct LightVolumes {
+  uint32_t light = 0;  ///< index into Scene::lights
+  std::vector<CasterVolume> casters;
+};
+
+/// Instances that cast in a light. Perforated ones are whole triangles here.
+std::vector<uint32_t> volumeCasters(const LightEffects& light);
+
+/// Of lights that something casts in, as they are now. `edges`: of all their casters.
+std::vector<LightVolumes> lightVolumes(const SceneView& view, const EdgeBuffers& edges,
+                                       const VolumeChoice& choice);
+
+}  // namespace sb

@@ -1,0 +1,68 @@
+#include "techniques/volumes/volume_counter.h"
+
+namespace sb {
+namespace {
+
+using rhi::StencilOp;
+
+/// Depth is 1 near .. 0 far. Volumes before the receiver are strictly before it: a cap that lies on
+/// its own surface counts as behind, so that what faces the light is lit.
+constexpr rhi::CompareOp kBefore = rhi::CompareOp::Greater, kBehind = rhi::CompareOp::LessOrEqual;
+
+}  // namespace
+
+std::vector<rhi::CullMode> VolumeCounter::culls() const {
+  if (m_faces == VolumeFaces::Both) return {rhi::CullMode::None};
+  return {rhi::CullMode::Back, rhi::CullMode::Front};
+}
+
+rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
+                                              const Variant& variant) const {
+  rhi::GraphicsPipelineDesc desc = volumes.pipeline(variant.part);
+  desc.label = "shadow volumes";
+  desc.depthFormat = kDepthFormat;
+  const bool pass = variant.count == DepthCount::Pass;
+  // Counted before the receiver, a volume ends at the near plane; behind it, it must not.
+  desc.raster = {.cull = variant.cull, .depthClamp = !pass};
+  // Faces toward the eye are entered before a receiver and left behind it. Caps that were turned
+  // over are drawn as they were wound, to meet their surface's depth: their faces are exchanged.
+  const bool frontAdds = pass != (variant.part == VOLUME_TURNED);
+  if (m_kind == CounterKind::Float) {
+    desc.fragment = &m_context.shaders.get("common/volume_count.frag");
+    desc.constants.push_back({18, frontAdds});
+    desc.depth = {.test = true, .compare = pass ? kBefore : kBehind};
+    desc.targets = {{.format = kFloatFormat,
+                     .blend = {.enabled = true,
+                               .dstColor = rhi::BlendFactor::One,
+                               .dstAlpha = rhi::BlendFactor::One}}};
+  } else {
+    const auto face = [&](StencilOp op) {
+      return pass ? rhi::StencilFace{.pass = op} : rhi::StencilFace{.depthFail = op};
+    };
+    desc.depth = {.test = true, .compare = kBefore};
+    desc.stencil = {.test = true,
+                    .front = face(frontAdds ? StencilOp::IncrementWrap : StencilOp::DecrementWrap),
+                    .back = face(frontAdds ? StencilOp::DecrementWrap : StencilOp::IncrementWrap)};
+  }
+  return desc;
+}
+
+void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights) {
+  for (const LightVolumes& light : lights)
+    for (const CasterVolume& volume : light.casters)
+      for (const uint32_t part : volume.parts)
+        for (const rhi::CullMode cull : culls()) {
+          const Variant v{part, volume.count, cull};
+          if (!m_pipelines.contains(v)) m_pipelines[v] = m_context.pipeline(desc(volumes, v));
+        }
+}
+
+void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
+                         const LightVolumes& light) const {
+  for (const rhi::CullMode cull : culls())
+    for (const CasterVolume& volume : light.casters)
+      for (const uint32_t part : volume.parts)
+        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), volume, part);
+}
+
+}  // namespace sb

@@ -1,0 +1,49 @@
+// Counting of shadow volumes at each pixel's receiver (spec 07): entered less left, before it or
+// behind it, by the stencil (modulo 256) or by adding in a float target (exact to 2^24).
+#pragma once
+
+#include <compare>
+#include <map>
+
+#include "techniques/volumes/shadow_volumes.h"
+
+namespace sb {
+
+enum class VolumeFaces : uint8_t {
+  Both,  ///< each volume once, both faces counted
+  Each,  ///< faces toward the eye first, then the others
+};
+enum class CounterKind : uint8_t { Stencil, Float };
+
+class VolumeCounter {
+ public:
+  static constexpr rhi::Format kDepthFormat = rhi::Format::D32FloatS8;
+  static constexpr rhi::Format kFloatFormat = rhi::Format::R32Float;
+
+  VolumeCounter(const Context& context, CounterKind kind, VolumeFaces faces)
+      : m_context(context), m_kind(kind), m_faces(faces) {}
+
+  /// Makes what drawing these volumes needs.
+  void prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights);
+  /// Within a pass over the receivers' depth, read only: its stencil counts, or the one colour
+  /// target (kFloatFormat). Both start at 0, and are 0 where no volume is.
+  void draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
+            const LightVolumes& light) const;
+
+ private:
+  struct Variant {
+    uint32_t part;
+    DepthCount count;
+    rhi::CullMode cull;
+    auto operator<=>(const Variant&) const = default;
+  };
+  std::vector<rhi::CullMode> culls() const;
+  rhi::GraphicsPipelineDesc desc(const ShadowVolumes& volumes, const Variant& variant) const;
+
+  const Context m_context;
+  const CounterKind m_kind;
+  const VolumeFaces m_faces;
+  std::map<Variant, rhi::PipelineId> m_pipelines;
+};
+
+}  // namespace sb
