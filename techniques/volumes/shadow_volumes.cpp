@@ -172,13 +172,7 @@ void ShadowVolumes::record(Frame& frame) {
 rhi::GraphicsPipelineDesc ShadowVolumes::pipeline(uint32_t part) const {
   const auto shader = [&](const char* name) { return &m_context.shaders.get(name); };
   rhi::GraphicsPipelineDesc desc{.constants = {{16, part}, {17, m_choice.finite}}};
-  if (m_builder == VolumeBuilder::Geometry) {
-    desc.vertex = shader("common/volume_points.vert");
-    desc.geometry = shader("common/volume_points.geom");
-    desc.topology = rhi::Topology::PointList;
-  } else {
-    desc.vertex = shader(listed() ? "common/volume_listed.vert" : "common/volume_everywhere.vert");
-  }
+  desc.vertex = shader(listed() ? "common/volume_listed.vert" : "common/volume_everywhere.vert");
   return desc;
 }
 
@@ -196,8 +190,7 @@ void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
     commands.drawIndirect(state, {.buffer = m_arguments, .offset = at});
     return;
   }
-  const uint32_t points = part == VOLUME_SIDES ? volume.data.counts.x : volume.data.counts.y;
-  const uint32_t vertices = m_builder == VolumeBuilder::Geometry ? points : volume.vertices(part);
+  const uint32_t vertices = volume.vertices(part);
   if (vertices > 0) commands.draw(state, {.vertexCount = vertices});
 }
 

@@ -1,7 +1,6 @@
 // Shadow volumes on the device, however their items are found:
 //   Cpu       the silhouette on the CPU, uploaded when light, caster or camera have moved
 //   Vertex    sides at every edge, caps at every triangle, most of them without area
-//   Geometry  a point for each of these, and a geometry shader
 //   Compute   a compute shader appends to lists that are drawn indirectly, every frame
 // All draw the same bits.
 #pragma once
@@ -14,7 +13,7 @@
 
 namespace sb {
 
-enum class VolumeBuilder : uint8_t { Cpu, Vertex, Geometry, Compute };
+enum class VolumeBuilder : uint8_t { Cpu, Vertex, Compute };
 
 class ShadowVolumes {
  public:
