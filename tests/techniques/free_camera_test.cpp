@@ -65,7 +65,7 @@ std::string nameOfCell(const CellOptions& options) {
 
 CellOptions shownBy(const std::string& technique, std::map<std::string, std::string> knobs = {},
                     const std::string& transparency = "Sorted") {
-  if (technique != "none") knobs.insert({{"size", "96"}, {"kernel", "3"}});
+  if (hasKnob(technique, "size")) knobs.insert({{"size", "96"}, {"kernel", "3"}});
   return {.technique = technique,
           .knobs = std::move(knobs),
           .size = kShownSize,

@@ -58,7 +58,7 @@ class StencilShadowVolume final : public ShadowTechnique {
     if (m_mostLights == 0) return;
     createTargets(context);
     createMaskPipelines(context);
-    if (context.view.steps() > 1) return;  // each frame writes its own
+    if (!context.view.stands()) return;  // each frame writes its own
     const std::vector<uint32_t> now = slots(m_volumes->lights());
     context.device.upload(m_slots, 0, std::as_bytes(std::span(now)));
   }
@@ -128,7 +128,7 @@ class StencilShadowVolume final : public ShadowTechnique {
     // Steps in which nothing casts write none of it.
     const std::vector<std::byte> lit(size_t(width) * height * kChannels, std::byte{0xFF});
     const size_t bytes = size_t(width) * height * rhi::formatInfo(m_maskFormat).texelBytes;
-    for (uint32_t layer = 0; layer * kChannels < m_mostLights && context.view.steps() > 1; ++layer)
+    for (uint32_t layer = 0; layer * kChannels < m_mostLights && !context.view.stands(); ++layer)
       context.device.upload(m_mask, {.layer = layer}, std::span(lit).first(bytes));
     if (m_float)
       m_counts = screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat);
