@@ -59,8 +59,21 @@ void ShadowVolumes::update() {
   m_itemCount = 0;
   for (LightVolumes& light : m_lights)
     for (CasterVolume& volume : light.casters) findItems(volume, light.light);
-  m_mostItems = std::max(m_mostItems, m_itemCount);
+  m_mostItems = std::max(m_mostItems, m_context.view.isFree() ? itemsFromAnywhere() : m_itemCount);
   m_mostVolumes = std::max<uint64_t>(m_mostVolumes, m_firstItem.size());
+}
+
+uint64_t ShadowVolumes::itemsFromAnywhere() const {
+  const uint64_t start = std::max<uint64_t>(1, m_context.device.info().limits.storageAlignment / 4);
+  uint64_t items = 0;
+  for (const LightVolumes& light : m_lights)
+    for (const CasterVolume& volume : light.casters) {
+      // Each edge once for each of its sides, each triangle as either kind of cap.
+      const EdgeBuffers::MeshEdges& edges = m_edges.of(volume.mesh);
+      items = aligned(items + 2 * uint64_t(edges.edgeCount) + 2 * uint64_t(edges.triangleCount),
+                      start);
+    }
+  return items;
 }
 
 void ShadowVolumes::findItems(CasterVolume& volume, uint32_t light) {
@@ -81,8 +94,8 @@ void ShadowVolumes::findItems(CasterVolume& volume, uint32_t light) {
     count += volume.items[part];
   }
   // Lists start where a binding may.
-  const uint64_t start = m_context.device.info().limits.storageAlignment;
-  m_itemCount = aligned(m_itemCount + count, std::max<uint64_t>(1, start / 4));
+  const uint64_t start = std::max<uint64_t>(1, m_context.device.info().limits.storageAlignment / 4);
+  m_itemCount = aligned(m_itemCount + count, start);
   if (found) m_items.resize(m_itemCount);
 }
 

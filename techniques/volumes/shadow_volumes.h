@@ -43,6 +43,8 @@ class ShadowVolumes {
   }
   std::vector<uint32_t> casterMeshes() const;
   void update();
+  /// Room for the lists of the casters wherever a camera stands that is set freely.
+  uint64_t itemsFromAnywhere() const;
   void findItems(CasterVolume& volume, uint32_t light);
   void createBuffers();
   void bind();

@@ -48,13 +48,19 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
 }
 
 void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights) {
+  const auto make = [&](uint32_t part, DepthCount count) {
+    for (const rhi::CullMode cull : culls()) {
+      const Variant v{part, count, cull};
+      if (!m_pipelines.contains(v)) m_pipelines[v] = m_context.pipeline(desc(volumes, v));
+    }
+  };
   for (const LightVolumes& light : lights)
     for (const CasterVolume& volume : light.casters)
-      for (const uint32_t part : volume.parts)
-        for (const rhi::CullMode cull : culls()) {
-          const Variant v{part, volume.count, cull};
-          if (!m_pipelines.contains(v)) m_pipelines[v] = m_context.pipeline(desc(volumes, v));
-        }
+      for (const uint32_t part : volume.parts) make(part, volume.count);
+  if (lights.empty() || !m_context.view.isFree()) return;
+  // Another eye may stand within a volume, or a caster.
+  for (uint32_t part = 0; part < VOLUME_PARTS; ++part)
+    for (const DepthCount count : {DepthCount::Pass, DepthCount::Fail}) make(part, count);
 }
 
 void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,

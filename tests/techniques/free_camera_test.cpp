@@ -141,6 +141,15 @@ GPU_TEST(FreeCamera, OrdersAndPartitionsFollowTheCamera) {
                                   shownBy("CompositedTranslucent", {{"levels", "2"}}));
 }
 
+GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
+  // The third place stands in the shadow of this box, which none of the others does.
+  Scene scene = furnished(false);
+  addBox(scene, add(scene, matte()), {-1.6f, 4, 0.5f}, {0.4f, 4.5f, 2.5f});
+  for (const char* build : {"cpu", "vertex", "compute"})
+    expectPicturesOfStandingCameras(device(), scene,
+                                    shownBy("StencilShadowVolume", {{"build", build}}));
+}
+
 GPU_TEST(FreeCamera, TheWorldMovesOn) {
   for (const ShadowEntry* technique : shadowTechniques())
     expectPicturesOfStandingCameras(device(), inhabited(true), shownBy(technique->info.name));
