@@ -94,10 +94,6 @@ TEST(ShadowVolume, ThreeTrianglesAtAnEdgeHaveOneSideThere) {
   EXPECT_EQ(at, 1);
 }
 
-TEST(ShadowVolume, TheChordOfAnExtrudedTriangleCutsItsCorner) {
-  EXPECT_NEAR(10 * (1 - std::cos(glm::radians(30.0))), 1.34, 0.005);
-}
-
 TEST(ShadowVolume, SidesOfAnySoupAreAClosedChain) {
   for (uint32_t seed = 0; seed < 50; ++seed) {
     const Mesh mesh = randomSoup(seed);
