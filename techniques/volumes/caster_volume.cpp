@@ -77,7 +77,8 @@ float extentOf(const VolumeScene& s, const Box& box) {
   const glm::dvec3 light(s.place);
   const double distance = glm::distance(light, glm::clamp(light, box.low, box.high));
   const double least = s.local() ? std::max(distance, box.radius() * 0x1p-12) : 1;
-  return float(least / (1.01 * s.reach));
+  // A caster beyond the light's reach still ends behind itself.
+  return float(std::min(least / (1.01 * s.reach), 0.5));
 }
 
 CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32_t instance) {
@@ -92,15 +93,15 @@ CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32
                  .mesh = mesh,
                  .count = s.choice.count.value_or(meets ? DepthCount::Fail : DepthCount::Pass),
                  .parts = {VOLUME_SIDES}};
+  const float extent = extentOf(s, box);
   // Counting before the receiver ends at the caster itself, where that is seen whole, and as part
-  // of a solid.
-  if (v.count == DepthCount::Fail || s.choice.finite || !solid) {
+  // of a solid; unless the volume has a far end.
+  if (v.count == DepthCount::Fail || extent > 0 || !solid) {
     if (casts != CASTS_BACK) v.parts.push_back(VOLUME_CAPS);
     if (casts != CASTS_LIGHT) v.parts.push_back(VOLUME_TURNED);
   }
   const gpu::InstanceData& placed = s.view.instance(instance);
   const glm::dvec3 origin(s.view.placed().toWorld(instance)[3]);
-  const float extent = extentOf(s, box);
   const bool point = !s.local() && extent == 0;
   v.data = {
       .row0 = placed.toRelative0,

@@ -36,7 +36,7 @@ ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
         rhi::ComputePipelineDesc{.label = "silhouettes",
                                  .compute = &context.shaders.get("common/volume_silhouette.comp"),
                                  .constants = {}});
-  if (!context.view.stands()) return;  // each frame writes its own
+  if (context.view.steps() > 1) return;  // each frame writes its own
   bind();
   write([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
     context.device.upload(buffer, 0, bytes);

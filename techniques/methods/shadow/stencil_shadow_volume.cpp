@@ -58,7 +58,7 @@ class StencilShadowVolume final : public ShadowTechnique {
     if (m_mostLights == 0) return;
     createTargets(context);
     createMaskPipelines(context);
-    if (!context.view.stands()) return;  // each frame writes its own
+    if (context.view.steps() > 1) return;  // each frame writes its own
     const std::vector<uint32_t> now = slots(m_volumes->lights());
     context.device.upload(m_slots, 0, std::as_bytes(std::span(now)));
   }
@@ -220,7 +220,7 @@ std::vector<KnobInfo> knobs() {
        .choices = {"auto", "zpass", "zfail"},
        .sweep = {"zpass", "zfail", "auto"}},
       {.name = "sides",
-       .help = "two-sided stencil, or a pass for each side",
+       .help = "two-sided stencil, or draws for each side",
        .fallback = "two",
        .choices = {"two", "one"},
        .sweep = {"two", "one"}},
@@ -231,7 +231,7 @@ std::vector<KnobInfo> knobs() {
        .sweep = {"stencil8", "float"}},
       {.name = "casts",
        .help = "triangles that cast: facing the light, the others, all; auto: the others of "
-               "closed meshes, else all",
+               "closed meshes that hold neither light nor eye, else all",
        .fallback = "auto",
        .choices = {"auto", "light", "back", "all"},
        .sweep = {"light", "back", "auto", "all"}},
