@@ -150,6 +150,16 @@ GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
                                     shownBy("StencilShadowVolume", {{"build", build}}));
 }
 
+GPU_TEST(FreeCamera, BeforeItIsSetEverythingIsSeen) {
+  for (const ShadowEntry* technique : shadowTechniques()) {
+    FreeCell free(cellDevice(device()), furnished(true), shownBy(technique->info.name));
+    free.renderer.frame();
+    const std::vector<float> picture = free.renderer.readImage();
+    EXPECT_TRUE(std::ranges::any_of(picture, [](float v) { return v > 0 && v < 1; }))
+        << technique->info.name;
+  }
+}
+
 GPU_TEST(FreeCamera, TheWorldMovesOn) {
   for (const ShadowEntry* technique : shadowTechniques())
     expectPicturesOfStandingCameras(device(), inhabited(true), shownBy(technique->info.name));
