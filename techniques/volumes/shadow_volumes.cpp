@@ -18,16 +18,17 @@ uint64_t aligned(uint64_t value, uint64_t to) { return (value + to - 1) / to * t
 }  // namespace
 
 ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
-                             const VolumeChoice& choice,
+                             const VolumeChoice& choice, const CullingChoice& culling,
                              const std::function<void(const std::vector<LightVolumes>&)>& visit)
-    : m_context(context), m_builder(builder), m_choice(choice) {
+    : m_context(context), m_builder(builder), m_choice(choice), m_culling(context.view, culling) {
   m_edges = EdgeBuffers(context.device, context.view.gpu(),
                         {.edges = STORAGE_TECHNIQUE,
                          .corners = STORAGE_TECHNIQUE + 1,
                          .positions = STORAGE_TECHNIQUE + 2},
                         casterMeshes());
   context.view.alongPath(context.device, [&] {
-    update();
+    // From anywhere a camera may see all that is lit.
+    update(context.view.isFree() ? m_culling.all() : m_culling.casters());
     visit(m_lights);
   });
   createBuffers();
@@ -45,15 +46,14 @@ ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
 
 std::vector<uint32_t> ShadowVolumes::casterMeshes() const {
   std::set<uint32_t> meshes;
-  // Outside `alongPath` the view shows all that any step does.
-  for (const LightEffects& light : m_context.view.effects().lights)
-    for (const uint32_t instance : volumeCasters(light))
+  for (const LightCasters& light : m_culling.all())
+    for (const uint32_t instance : light.instances)
       meshes.insert(m_context.view.scene().instances[instance].mesh);
   return {meshes.begin(), meshes.end()};
 }
 
-void ShadowVolumes::update() {
-  m_lights = lightVolumes(m_context.view, m_edges, m_choice);
+void ShadowVolumes::update(const std::vector<LightCasters>& casters) {
+  m_lights = lightVolumes(m_context.view, m_edges, m_choice, casters);
   m_items.clear();
   m_firstItem.clear();
   m_itemCount = 0;
@@ -155,7 +155,10 @@ void ShadowVolumes::write(const Write& write) const {
 }
 
 void ShadowVolumes::moved(Frame& frame) {
-  update();
+  std::vector<LightCasters> casters;
+  frame.between("shadow management", PassGroup::Shadow,
+                [&](rhi::CommandList&) { casters = m_culling.casters(); });
+  update(casters);
   bind();
   write([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
     frame.commands().write(buffer, 0, bytes);
@@ -196,8 +199,11 @@ std::vector<rhi::ResourceUse> ShadowVolumes::reads() const {
 }
 
 void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
-                         const CasterVolume& volume, uint32_t part) const {
-  const rhi::DrawState state{.pipeline = pipeline, .bindings = m_bindings[volume.number]};
+                         const LightVolumes& light, const CasterVolume& volume,
+                         uint32_t part) const {
+  const rhi::DrawState state{.pipeline = pipeline,
+                             .bindings = m_bindings[volume.number],
+                             .scissor = light.scissor};
   if (m_builder == VolumeBuilder::Compute) {
     const uint64_t at = (volume.data.lists.w + 4 * uint64_t(part)) * 4;
     commands.drawIndirect(state, {.buffer = m_arguments, .offset = at});

@@ -19,10 +19,13 @@ class ShadowVolumes {
  public:
   /// For a view that shows a whole path. `visit`: told the volumes of every step.
   ShadowVolumes(const Context& context, VolumeBuilder builder, const VolumeChoice& choice,
+                const CullingChoice& culling,
                 const std::function<void(const std::vector<LightVolumes>&)>& visit);
 
   /// Of this step: of lights that something casts in.
   const std::vector<LightVolumes>& lights() const { return m_lights; }
+  /// What was left out, and what is drawn.
+  const CullingCounts& counts() const { return m_culling.counts(); }
 
   /// Within a frame, after the view has moved.
   void moved(Frame& frame);
@@ -33,8 +36,8 @@ class ShadowVolumes {
   rhi::GraphicsPipelineDesc pipeline(uint32_t part) const;
   /// What passes that draw volumes read.
   std::vector<rhi::ResourceUse> reads() const;
-  void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const CasterVolume& volume,
-            uint32_t part) const;
+  void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const LightVolumes& light,
+            const CasterVolume& volume, uint32_t part) const;
 
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
@@ -42,7 +45,7 @@ class ShadowVolumes {
     return m_builder == VolumeBuilder::Cpu || m_builder == VolumeBuilder::Compute;
   }
   std::vector<uint32_t> casterMeshes() const;
-  void update();
+  void update(const std::vector<LightCasters>& casters);
   /// Room for the lists of the casters wherever a camera stands that is set freely.
   uint64_t itemsFromAnywhere() const;
   void findItems(CasterVolume& volume, uint32_t light);
@@ -53,6 +56,7 @@ class ShadowVolumes {
   const Context m_context;
   const VolumeBuilder m_builder;
   const VolumeChoice m_choice;
+  ShadowCulling m_culling;
   EdgeBuffers m_edges;
   std::vector<LightVolumes> m_lights;
   Silhouettes m_silhouettes;

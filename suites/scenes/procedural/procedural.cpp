@@ -21,7 +21,7 @@ namespace {
 const std::vector<ProceduralScene>& registry() {
   static const std::vector<ProceduralScene> kScenes = [] {
     std::vector<ProceduralScene> scenes = {layers(), panes(),      penumbra(), spheresQuads(),
-                                           teapot(), roseWindow(), fog()};
+                                           teapot(), roseWindow(), fog(),      mine()};
     for (ProceduralScene& scene : scenes) scene.info.params.push_back(circlingParam());
     return scenes;
   }();

@@ -21,6 +21,7 @@ ProceduralScene spheresQuads();
 ProceduralScene layers();
 ProceduralScene panes();
 ProceduralScene penumbra();
+ProceduralScene mine();
 ProceduralScene roseWindow();
 ProceduralScene teapot();
 ProceduralScene fog();

@@ -38,6 +38,14 @@ VolumeChoice choiceOf(const Knobs& knobs) {
   return choice;
 }
 
+CullingChoice cullingOf(const Knobs& knobs) {
+  return {.cull = knobs.is("cull", "full"),
+          .tree = knobs.is("tree", "quadtree") ? TreeKind::QuadTree
+                  : knobs.is("tree", "bvh")    ? TreeKind::Boxes
+                                               : TreeKind::List,
+          .budget = knobs.integer("budget")};
+}
+
 class StencilShadowVolume final : public ShadowTechnique {
  public:
   void prepare(const Context& context) override {
@@ -47,7 +55,7 @@ class StencilShadowVolume final : public ShadowTechnique {
     m_darkness = context.knobs.number("darkness");
     m_counter.emplace(context, m_float ? CounterKind::Float : CounterKind::Stencil,
                       context.knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
-    m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs),
+    m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs), cullingOf(context.knobs),
                       [&](const std::vector<LightVolumes>& lights) {
                         m_mostLights = std::max(m_mostLights, channels(lights));
                         m_mostInView = std::max(m_mostInView, uint32_t(slots(lights).size()));
@@ -78,6 +86,10 @@ class StencilShadowVolume final : public ShadowTechnique {
       recordVolumes(frame, layer, m_single ? lights : lights.subspan(slot, 1));
       recordMask(frame, layer, slot);
     }
+  }
+
+  std::vector<std::pair<std::string, uint64_t>> counts() const override {
+    return namedCounts(m_volumes->counts());
   }
 
   VisibilityInputs inputs() const override {
@@ -255,7 +267,26 @@ std::vector<KnobInfo> knobs() {
        .help = "how far from the light volumes reach: to infinity, or as far as its light",
        .fallback = "infinite",
        .choices = {"infinite", "finite"},
-       .sweep = {"finite", "infinite"}}};
+       .sweep = {"finite", "infinite"}},
+      {.name = "cull",
+       .help = "leave out volumes that no pixel can show, or draw each caster in each light",
+       .fallback = "full",
+       .choices = {"full", "none"},
+       .sweep = {"none", "full"}},
+      {.name = "tree",
+       .help = "what finds casters, receivers and lights: squares of the ground, boxes in boxes, "
+               "each in turn; all give the same picture",
+       .fallback = "quadtree",
+       .choices = {"quadtree", "bvh", "none"},
+       .sweep = {"none", "quadtree", "bvh"}},
+      {.name = "budget",
+       .unit = "triangles",
+       .help = "of casters a frame, the most important volumes first; the others throw no shadow; "
+               "0: no limit",
+       .fallback = "0",
+       .min = 0,
+       .max = 4294967295.0,
+       .sweep = {}}};
 }
 
 std::map<std::string, std::string> breaks() {
