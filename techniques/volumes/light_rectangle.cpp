@@ -6,7 +6,8 @@
 namespace sb {
 namespace {
 
-/// Least and greatest x / depth of a circle in the plane of x and depth, each within [-limit, limit].
+/// Least and greatest x / depth of a circle in the plane of x and depth, each within [-limit,
+/// limit].
 std::pair<double, double> slopes(double x, double depth, double radius, double limit) {
   const double distance = std::hypot(x, depth);
   if (distance <= radius) return {-limit, limit};
@@ -37,11 +38,10 @@ std::optional<rhi::Rect> sphereRectangle(const Camera& camera, rhi::Extent2D siz
   std::pair<int32_t, int32_t> range[2];
   for (int axis = 0; axis < 2; ++axis) {
     const double half = halves[axis];
-    const auto [low, high] =
-        camera.orthographic
-            ? std::pair(std::clamp(center[axis] - sphere.radius, -half, half),
-                        std::clamp(center[axis] + sphere.radius, -half, half))
-            : slopes(center[axis], -center.z, sphere.radius, half);
+    const auto [low, high] = camera.orthographic
+                                 ? std::pair(std::clamp(center[axis] - sphere.radius, -half, half),
+                                             std::clamp(center[axis] + sphere.radius, -half, half))
+                                 : slopes(center[axis], -center.z, sphere.radius, half);
     range[axis] = pixels(low / half, high / half, axis == 0 ? size.width : size.height);
   }
   const rhi::Rect rect{range[0].first, range[1].first,

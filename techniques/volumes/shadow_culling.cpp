@@ -39,10 +39,9 @@ std::vector<std::pair<std::string, uint64_t>> namedCounts(const CullingCounts& c
   static constexpr std::array kFates = {"of unseen lights", "out of reach", "out of view",
                                         "off receivers",    "over budget",  "drawn"};
   static_assert(kFates.size() == size_t(VolumeFate::Count));
-  std::vector<std::pair<std::string, uint64_t>> named = {
-      {"lights", counts.lights},
-      {"lights unseen", counts.unseenLights},
-      {"culling box tests", counts.boxTests}};
+  std::vector<std::pair<std::string, uint64_t>> named = {{"lights", counts.lights},
+                                                         {"lights unseen", counts.unseenLights},
+                                                         {"culling box tests", counts.boxTests}};
   for (size_t i = 0; i < kFates.size(); ++i) {
     named.emplace_back("volumes " + std::string(kFates[i]), counts.fates[i].volumes);
     named.emplace_back("caster triangles " + std::string(kFates[i]), counts.fates[i].triangles);
@@ -146,10 +145,9 @@ void ShadowCulling::cull(const LightCasters& light, const ConvexRegion& seen,
       count(VolumeFate::OutOfReach, triangles);
       continue;
     }
-    const VolumeBounds bounds{moved(m_boxes[i], -eye),
-                              l.type == LightType::Directional
-                                  ? glm::dvec4(-l.direction, 0)
-                                  : glm::dvec4(l.position - eye, 1)};
+    const VolumeBounds bounds{moved(m_boxes[i], -eye), l.type == LightType::Directional
+                                                           ? glm::dvec4(-l.direction, 0)
+                                                           : glm::dvec4(l.position - eye, 1)};
     if (bounds.liesOutside(seen.halfSpaces))
       count(VolumeFate::OutOfView, triangles);
     else if (bounds.liesOutside(sides))
@@ -167,11 +165,15 @@ double ShadowCulling::importance(const Volume& volume) const {
   for (int i = 0; i < 8; ++i) {
     const glm::dvec4 clip = m_view.camera().viewProjection * glm::dvec4(box.corner(i), 1);
     // What reaches behind the eye may be anywhere.
-    if (clip.w < camera.nearPlane && !camera.orthographic) picture.add(glm::dvec3(-1, -1, 0)), picture.add(glm::dvec3(1, 1, 0));
-    else picture.add(glm::dvec3(clip.x / clip.w, clip.y / clip.w, 0));
+    if (clip.w < camera.nearPlane && !camera.orthographic)
+      picture.add(glm::dvec3(-1, -1, 0)), picture.add(glm::dvec3(1, 1, 0));
+    else
+      picture.add(glm::dvec3(clip.x / clip.w, clip.y / clip.w, 0));
   }
   picture = picture.clippedTo({glm::dvec3(-1, -1, 0), glm::dvec3(1, 1, 0)});
-  area = picture.empty() ? 0 : 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
+  area = picture.empty()
+             ? 0
+             : 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
   distance = glm::length(box.center());
   return kAreaWeight * area + kNearWeight * m_size / std::max(distance, 1e-3 * m_size);
 }
@@ -207,7 +209,7 @@ std::vector<LightCasters> ShadowCulling::casters() {
   place();
   const Camera& camera = m_view.placed().camera();
   const ConvexRegion seen{.origin = m_view.camera().eye,
-                    .halfSpaces = frustumHalfSpaces(camera, m_view.aspect())};
+                          .halfSpaces = frustumHalfSpaces(camera, m_view.aspect())};
   std::vector<uint32_t> inView;
   query(*m_lights, seen, inView);
   std::vector<Volume> volumes;

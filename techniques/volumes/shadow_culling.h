@@ -22,14 +22,22 @@ struct CullingChoice {
 
 /// A light, and what throws its shadow.
 struct LightCasters {
-  uint32_t light = 0;                ///< index into Scene::lights
+  uint32_t light = 0;                    ///< index into Scene::lights
   std::vector<uint32_t> instances = {};  ///< in scene order, never empty
   /// Pixels outside get no light; nothing: all may get some.
   std::optional<rhi::Rect> scissor = {};
 };
 
 /// What becomes of a volume, in the order in which it is asked.
-enum class VolumeFate : uint8_t { LightUnseen, OutOfReach, OutOfView, OffReceivers, OverBudget, Drawn, Count };
+enum class VolumeFate : uint8_t {
+  LightUnseen,
+  OutOfReach,
+  OutOfView,
+  OffReceivers,
+  OverBudget,
+  Drawn,
+  Count
+};
 
 struct CullingCounts {
   struct Volumes {

@@ -88,8 +88,7 @@ TEST(SceneTree, TreesAskForFewBoxes) {
 
 TEST(SceneTree, AnObjectLeavesItsSquareOnlyWhereItMust) {
   std::vector<Box> boxes;
-  for (int i = 0; i < 64; ++i)
-    boxes.push_back(boxAround({i % 8 + 0.5, 0, i / 8 + 0.5}, 0.2));
+  for (int i = 0; i < 64; ++i) boxes.push_back(boxAround({i % 8 + 0.5, 0, i / 8 + 0.5}, 0.2));
   QuadTree tree(boxes);
   ASSERT_EQ(tree.side(), 8u);
   EXPECT_EQ(tree.reinsertions(), 0u);

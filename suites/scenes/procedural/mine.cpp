@@ -71,8 +71,9 @@ void addRock(Scene& scene, uint32_t runs) {
 void addBeams(Scene& scene, uint32_t mesh, uint32_t runs) {
   const uint32_t beams = uint32_t(runs * kRun / kBeamEvery);
   for (uint32_t i = 0; i < beams; ++i)
-    addInstance(scene, "beam" + std::to_string(i), mesh,
-                boxAt(at((i + 0.5) * kBeamEvery, 0, kHeight - 0.3), {kWidth / 2 - 0.05, 0.12, 0.12}));
+    addInstance(
+        scene, "beam" + std::to_string(i), mesh,
+        boxAt(at((i + 0.5) * kBeamEvery, 0, kHeight - 0.3), {kWidth / 2 - 0.05, 0.12, 0.12}));
 }
 
 void addBoxes(Scene& scene, uint32_t mesh, const ParamValues& p, double length) {

@@ -1,6 +1,6 @@
 // A binary hierarchy of boxes over objects, split where their middles lie farthest apart. Boxes are
-// refitted to objects that move; when they have grown too much, the hierarchy is made anew (Lauterbach
-// et al. 2006: refitting until the boxes' surfaces have grown by a share).
+// refitted to objects that move; when they have grown too much, the hierarchy is made anew
+// (Lauterbach et al. 2006: refitting until the boxes' surfaces have grown by a share).
 #pragma once
 
 #include "techniques/scene/tree/scene_tree.h"
@@ -31,7 +31,7 @@ class BoxHierarchy final : public SceneTree {
 
   std::vector<Box> m_boxes;  ///< of objects
   std::vector<Node> m_nodes;
-  std::vector<uint32_t> m_leaf;  ///< of objects
+  std::vector<uint32_t> m_leaf;        ///< of objects
   double m_builtArea = 0, m_area = 0;  ///< of all nodes that are no leaves
   uint32_t m_builds = 0;
 };

@@ -7,9 +7,7 @@
 namespace sb {
 namespace {
 
-double widthOf(const Box& box) {
-  return std::max(box.high.x - box.low.x, box.high.z - box.low.z);
-}
+double widthOf(const Box& box) { return std::max(box.high.x - box.low.x, box.high.z - box.low.z); }
 
 bool holds(const Box& outer, const Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
@@ -38,7 +36,8 @@ QuadTree::QuadTree(std::span<const Box> boxes) {
   m_levels = levelsFor(boxes, side);
   m_squares.resize(((size_t(1) << (2 * (m_levels + 1))) - 1) / 3);
   m_squares[0].box = all;
-  if (!all.empty()) m_squares[0].box.high.x = all.low.x + side, m_squares[0].box.high.z = all.low.z + side;
+  if (!all.empty())
+    m_squares[0].box.high.x = all.low.x + side, m_squares[0].box.high.z = all.low.z + side;
   for (size_t i = 1; i < m_squares.size(); ++i) {
     const Box& outer = m_squares[(i - 1) / 4].box;
     const glm::dvec3 middle = outer.center();
@@ -55,7 +54,8 @@ uint32_t QuadTree::below(uint32_t square, const Box& box) const {
   const size_t first = 4 * size_t(square) + 1;
   if (first >= m_squares.size()) return kNone;
   const glm::dvec3 middle = m_squares[square].box.center();
-  const uint32_t child = uint32_t(first) + (box.low.x >= middle.x ? 1 : 0) + (box.low.z >= middle.z ? 2 : 0);
+  const uint32_t child =
+      uint32_t(first) + (box.low.x >= middle.x ? 1 : 0) + (box.low.z >= middle.z ? 2 : 0);
   return holds(m_squares[child].box, box) ? child : kNone;
 }
 

@@ -25,9 +25,12 @@ class List final : public SceneTree {
 
 std::unique_ptr<SceneTree> makeSceneTree(TreeKind kind, std::span<const Box> boxes) {
   switch (kind) {
-    case TreeKind::QuadTree: return std::make_unique<QuadTree>(boxes);
-    case TreeKind::Boxes: return std::make_unique<BoxHierarchy>(boxes);
-    case TreeKind::List: break;
+    case TreeKind::QuadTree:
+      return std::make_unique<QuadTree>(boxes);
+    case TreeKind::Boxes:
+      return std::make_unique<BoxHierarchy>(boxes);
+    case TreeKind::List:
+      break;
   }
   return std::make_unique<List>(boxes);
 }
