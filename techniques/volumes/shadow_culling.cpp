@@ -24,6 +24,21 @@ std::vector<uint32_t> allCasters(const Scene& scene) {
   return casters;
 }
 
+/// Share of the picture that a box (relative to the eye) takes at most.
+double shareOfPicture(const SceneView& view, const Box& box) {
+  const Camera& camera = view.placed().camera();
+  Box picture;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec4 clip = view.camera().viewProjection * glm::dvec4(box.corner(i), 1);
+    // What reaches behind the eye may be anywhere.
+    if (!camera.orthographic && clip.w < camera.nearPlane) return 1;
+    picture.add(glm::dvec3(clip.x / clip.w, clip.y / clip.w, 0));
+  }
+  picture = picture.clippedTo({glm::dvec3(-1, -1, 0), glm::dvec3(1, 1, 0)});
+  if (picture.empty()) return 0;
+  return 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
+}
+
 Box moved(const Box& box, const glm::dvec3& by) { return {box.low + by, box.high + by}; }
 
 }  // namespace
@@ -159,23 +174,8 @@ void ShadowCulling::cull(const LightCasters& light, const ConvexRegion& seen,
 
 double ShadowCulling::importance(const Volume& volume) const {
   const Box box = volume.bounds.within(volume.reach);
-  const Camera& camera = m_view.placed().camera();
-  double area = 1, distance = std::numeric_limits<double>::infinity();
-  Box picture;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec4 clip = m_view.camera().viewProjection * glm::dvec4(box.corner(i), 1);
-    // What reaches behind the eye may be anywhere.
-    if (clip.w < camera.nearPlane && !camera.orthographic)
-      picture.add(glm::dvec3(-1, -1, 0)), picture.add(glm::dvec3(1, 1, 0));
-    else
-      picture.add(glm::dvec3(clip.x / clip.w, clip.y / clip.w, 0));
-  }
-  picture = picture.clippedTo({glm::dvec3(-1, -1, 0), glm::dvec3(1, 1, 0)});
-  area = picture.empty()
-             ? 0
-             : 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
-  distance = glm::length(box.center());
-  return kAreaWeight * area + kNearWeight * m_size / std::max(distance, 1e-3 * m_size);
+  const double distance = std::max(glm::length(box.center()), 1e-3 * m_size);
+  return kAreaWeight * shareOfPicture(m_view, box) + kNearWeight * m_size / distance;
 }
 
 void ShadowCulling::keepWithinBudget(std::vector<Volume>& volumes) {

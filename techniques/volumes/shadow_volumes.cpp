@@ -154,6 +154,16 @@ void ShadowVolumes::write(const Write& write) const {
   if (!m_items.empty()) write(m_itemLists, std::as_bytes(std::span(m_items)));
 }
 
+std::vector<std::pair<std::string, uint64_t>> ShadowVolumes::counts() const {
+  auto counts = namedCounts(m_culling.counts());
+  if (m_builder != VolumeBuilder::Cpu) return counts;  // nobody else knows
+  uint64_t edges = 0;
+  for (const LightVolumes& light : m_lights)
+    for (const CasterVolume& volume : light.casters) edges += volume.items[VOLUME_SIDES];
+  counts.emplace_back("silhouette edges", edges);
+  return counts;
+}
+
 void ShadowVolumes::moved(Frame& frame) {
   std::vector<LightCasters> casters;
   frame.between("shadow management", PassGroup::Shadow,

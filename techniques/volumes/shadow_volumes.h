@@ -24,8 +24,8 @@ class ShadowVolumes {
 
   /// Of this step: of lights that something casts in.
   const std::vector<LightVolumes>& lights() const { return m_lights; }
-  /// What was left out, and what is drawn.
-  const CullingCounts& counts() const { return m_culling.counts(); }
+  /// Of this step, as records name them: what was left out, and what is drawn.
+  std::vector<std::pair<std::string, uint64_t>> counts() const;
 
   /// Within a frame, after the view has moved.
   void moved(Frame& frame);

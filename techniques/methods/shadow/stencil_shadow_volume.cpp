@@ -89,7 +89,7 @@ class StencilShadowVolume final : public ShadowTechnique {
   }
 
   std::vector<std::pair<std::string, uint64_t>> counts() const override {
-    return namedCounts(m_volumes->counts());
+    return m_volumes->counts();
   }
 
   VisibilityInputs inputs() const override {
