@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "suites/scenes/procedural/random.h"
 #include "techniques/scene/camera.h"
 #include "techniques/volumes/light_rectangle.h"
