@@ -1,7 +1,9 @@
 #include "techniques/volumes/shadow_culling.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
 #include "techniques/volumes/light_rectangle.h"
 
@@ -37,6 +39,11 @@ double shareOfPicture(const SceneView& view, const Box& box) {
   picture = picture.clippedTo({glm::dvec3(-1, -1, 0), glm::dvec3(1, 1, 0)});
   if (picture.empty()) return 0;
   return 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
+}
+
+/// VolumeBounds::lightRadius.
+double radiusOf(const Light& light) {
+  return light.type == LightType::Directional ? std::sin(light.angularRadius) : lightRadius(light);
 }
 
 Box moved(const Box& box, const glm::dvec3& by) { return {box.low + by, box.high + by}; }
@@ -89,7 +96,8 @@ Box ShadowCulling::placedBox(uint32_t instance) const {
 std::optional<Sphere> ShadowCulling::reachOf(uint32_t light) const {
   const Light& l = m_view.placed().light(light);
   if (l.type == LightType::Directional || !(l.range > 0)) return {};
-  return Sphere{l.position, l.range};
+  // What lies between a receiver in reach and a point of the light is in reach, or in the light.
+  return Sphere{l.position, m_choice.extents ? std::max(l.range, lightRadius(l)) : l.range};
 }
 
 /// Lights without end are in no tree.
@@ -160,9 +168,10 @@ void ShadowCulling::cull(const LightCasters& light, const ConvexRegion& seen,
       count(VolumeFate::OutOfReach, triangles);
       continue;
     }
-    const VolumeBounds bounds{moved(m_boxes[i], -eye), l.type == LightType::Directional
-                                                           ? glm::dvec4(-l.direction, 0)
-                                                           : glm::dvec4(l.position - eye, 1)};
+    const VolumeBounds bounds{moved(m_boxes[i], -eye),
+                              l.type == LightType::Directional ? glm::dvec4(-l.direction, 0)
+                                                               : glm::dvec4(l.position - eye, 1),
+                              m_choice.extents ? radiusOf(l) : 0};
     if (bounds.liesOutside(seen.halfSpaces))
       count(VolumeFate::OutOfView, triangles);
     else if (bounds.liesOutside(sides))

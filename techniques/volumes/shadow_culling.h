@@ -14,7 +14,8 @@
 namespace sb {
 
 struct CullingChoice {
-  bool cull = true;  ///< false: each caster of the scene in each light that touches the view
+  bool extents = false;  ///< penumbrae are drawn: lights are as large as they are
+  bool cull = true;      ///< false: each caster of the scene in each light that touches the view
   TreeKind tree = TreeKind::QuadTree;
   /// Triangles of casters in a frame; the volumes that come first fill it. 0: no limit.
   uint64_t budget = 0;

@@ -16,7 +16,7 @@ bool VolumeBounds::liesOutside(std::span<const HalfSpace> halfSpaces) const {
     for (int i = 0; i < 8; ++i) {
       const glm::dvec3 corner = caster.corner(i);
       if (glm::dot(h.normal, corner) + h.offset >= -slack) return false;
-      if (glm::dot(h.normal, corner * light.w - glm::dvec3(light)) > 0) return false;
+      if (glm::dot(h.normal, corner * light.w - glm::dvec3(light)) + lightRadius > 0) return false;
     }
     return true;
   };

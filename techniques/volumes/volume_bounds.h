@@ -11,7 +11,9 @@ namespace sb {
 /// What a box keeps from a light, to infinity.
 struct VolumeBounds {
   Box caster;
-  glm::dvec4 light;  ///< where it is, w 1; or the way to it, w 0
+  glm::dvec4 light;  ///< where it is, w 1; or the way to it (unit), w 0
+  /// No point of the light lies farther from there: the volume is then all that may be dimmed.
+  double lightRadius = 0;
 
   /// True only where the volume lies outside one of the half spaces.
   bool liesOutside(std::span<const HalfSpace> halfSpaces) const;

@@ -29,8 +29,11 @@ TEST(VolumeBounds, NoPointOfAVolumeThatIsSeenIsCulled) {
   int culled = 0, shown = 0;
   for (int i = 0; i < 4000; ++i) {
     const glm::dvec3 middle = randomPoint(random, 12), half = glm::abs(randomPoint(random, 2));
+    const bool local = random.below(2);
+    const glm::dvec3 place = randomPoint(random, 12);
     const VolumeBounds bounds{{middle - half, middle + half},
-                              glm::dvec4(randomPoint(random, 12), random.below(2))};
+                              local ? glm::dvec4(place, 1) : glm::dvec4(glm::normalize(place), 0),
+                              random.below(2) ? random.uniform(0, local ? 2 : 0.5) : 0};
     if (!bounds.liesOutside(frustum)) {
       ++shown;
       continue;
@@ -38,7 +41,10 @@ TEST(VolumeBounds, NoPointOfAVolumeThatIsSeenIsCulled) {
     ++culled;
     for (int k = 0; k < 200; ++k) {
       const glm::dvec3 p = middle + half * randomPoint(random, 1);
-      const glm::dvec3 away = p * bounds.light.w - glm::dvec3(bounds.light);
+      // From any point of the light.
+      glm::dvec3 aside = randomPoint(random, 1);
+      aside *= bounds.lightRadius / std::max(1.0, glm::length(aside));
+      const glm::dvec3 away = p * bounds.light.w - glm::dvec3(bounds.light) + aside;
       ASSERT_FALSE(seen(p + away * random.uniform(0, 4)));
     }
   }
