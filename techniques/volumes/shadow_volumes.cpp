@@ -198,6 +198,12 @@ void ShadowVolumes::record(Frame& frame) {
 rhi::GraphicsPipelineDesc ShadowVolumes::pipeline(uint32_t part) const {
   const auto shader = [&](const char* name) { return &m_context.shaders.get(name); };
   rhi::GraphicsPipelineDesc desc{.constants = {{16, part}, {17, m_choice.finite}}};
+  if (hasGeometryShader(part)) {
+    desc.vertex = shader("common/volume_edges.vert");
+    desc.geometry = shader("common/volume_edges.geom");
+    desc.topology = rhi::Topology::PointList;
+    return desc;
+  }
   desc.vertex = shader(listed() ? "common/volume_listed.vert" : "common/volume_everywhere.vert");
   return desc;
 }
@@ -219,7 +225,8 @@ void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
     commands.drawIndirect(state, {.buffer = m_arguments, .offset = at});
     return;
   }
-  const uint32_t vertices = volume.vertices(part);
+  const uint32_t vertices =
+      hasGeometryShader(part) ? volume.data.counts.x : volume.vertices(part);
   if (vertices > 0) commands.draw(state, {.vertexCount = vertices});
 }
 

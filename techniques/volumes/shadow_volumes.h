@@ -1,6 +1,7 @@
 // Shadow volumes on the device, however their items are found:
 //   Cpu       the silhouette on the CPU, uploaded when light, caster or camera have moved
 //   Vertex    sides at every edge, caps at every triangle, most of them without area
+//   Geometry  the same, but for sides, which a geometry shader makes of a list of edges
 //   Compute   a compute shader appends to lists that are drawn indirectly, every frame
 // All draw the same bits.
 #pragma once
@@ -13,7 +14,7 @@
 
 namespace sb {
 
-enum class VolumeBuilder : uint8_t { Cpu, Vertex, Compute };
+enum class VolumeBuilder : uint8_t { Cpu, Vertex, Geometry, Compute };
 
 class ShadowVolumes {
  public:
@@ -41,6 +42,9 @@ class ShadowVolumes {
 
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
+  bool hasGeometryShader(uint32_t part) const {
+    return m_builder == VolumeBuilder::Geometry && part == VOLUME_SIDES;
+  }
   bool listed() const {
     return m_builder == VolumeBuilder::Cpu || m_builder == VolumeBuilder::Compute;
   }

@@ -24,6 +24,7 @@ namespace {
 
 VolumeBuilder builderOf(const Knobs& knobs) {
   if (knobs.is("build", "vertex")) return VolumeBuilder::Vertex;
+  if (knobs.is("build", "geometry")) return VolumeBuilder::Geometry;
   return knobs.is("build", "compute") ? VolumeBuilder::Compute : VolumeBuilder::Cpu;
 }
 
@@ -250,8 +251,8 @@ std::vector<KnobInfo> knobs() {
       {.name = "build",
        .help = "where silhouettes are found; all give the same picture",
        .fallback = "cpu",
-       .choices = {"cpu", "vertex", "compute"},
-       .sweep = {"cpu", "vertex", "compute"}},
+       .choices = {"cpu", "vertex", "geometry", "compute"},
+       .sweep = {"cpu", "vertex", "geometry", "compute"}},
       {.name = "lights",
        .help = "a count for each light, or one for all, which darkens all of them (approximate)",
        .fallback = "multi",
