@@ -291,7 +291,24 @@ std::vector<KnobInfo> knobs() {
 }
 
 std::map<std::string, std::string> breaks() {
-  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+  std::map<std::string, std::string> breaks = {
+      {"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+  const auto variant = [&](const char* knob, const char* why,
+                           std::initializer_list<const char*> cases) {
+    for (const char* id : cases) breaks[std::string(id) + " " + knob] = why;
+  };
+  variant("count:zpass", "the eye stands in a volume, whose entry lies behind it",
+          {"far caster", "range", "inside", "concave contact", "contact", "eye in shadow",
+           "near across"});
+  variant("casts:back", "no triangle of an open caster has its back to the light",
+          {"far caster", "range", "concave contact", "contact"});
+  variant("casts:light", "no triangle around a light within a caster faces it", {"inside"});
+  variant("lights:single", "all light is darkened by one share, whichever light is in shadow",
+          {"far caster", "range", "inside", "concave contact", "contact", "eye in shadow",
+           "not closed", "H3"});
+  variant("extrusion:finite", "the far end cuts off what the light sees under a wide angle",
+          {"far caster", "range"});
+  return breaks;
 }
 
 REGISTER_TECHNIQUE(
