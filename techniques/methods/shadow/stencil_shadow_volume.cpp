@@ -66,7 +66,7 @@ class StencilShadowVolume final : public ShadowTechnique {
   void moved(Frame& frame) override {
     m_volumes->moved(frame);
     const std::vector<uint32_t> now = slots(m_volumes->lights());
-    if (m_slots && !now.empty()) frame.commands().write(m_slots, 0, std::as_bytes(std::span(now)));
+    if (m_slots) frame.commands().write(m_slots, 0, std::as_bytes(std::span(now)));
   }
 
   void record(Frame& frame) override { m_volumes->record(frame); }
