@@ -74,6 +74,9 @@ class CommandList {
             uint64_t size);
   /// Same format, extent and sample count; all mips and layers of both views.
   void copy(const TextureView& source, const TextureView& target);
+  /// Nothing reads what a texture holds before it is written again. Vulkan, GL: nothing; validation
+  /// holds it to be true.
+  void discard(TextureId texture);
 
   /// Stamps the time at which everything before it has finished, and lets nothing after it start
   /// before (facts.md: without a full barrier a stamp says nothing). Outside passes. Vulkan:

@@ -3,6 +3,7 @@
 
 #include "techniques/draw/pipeline_cache.h"
 #include "techniques/draw/scene_view.h"
+#include "techniques/draw/transients.h"
 #include "techniques/plan/knobs.h"
 #include "techniques/plan/plan.h"
 
@@ -13,6 +14,7 @@ struct Context {
   rhi::Device& device;
   const rhi::ShaderLibrary& shaders;
   PipelineCache& pipelines;
+  Transients& transients;
   SceneView& view;
   const Plan& plan;
   const Knobs& knobs;

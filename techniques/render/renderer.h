@@ -92,6 +92,7 @@ class Renderer {
   DeviceContext m_device;
   RendererDesc m_desc;
   Plan m_plan;
+  Transients m_transients;
   std::unique_ptr<SceneView> m_view;
   std::unique_ptr<ShadowTechnique> m_technique;
   std::unique_ptr<LightTechnique> m_lights;

@@ -131,7 +131,9 @@ class StencilShadowVolume final : public ShadowTechnique {
     for (uint32_t layer = 0; layer * kChannels < m_mostLights && !context.view.stands(); ++layer)
       context.device.upload(m_mask, {.layer = layer}, std::span(lit).first(bytes));
     if (m_float)
-      m_counts = screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat);
+      m_counts = context.transients.texture(
+          screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat),
+          FramePart::Receivers);
     m_slots =
         context.device.createBuffer({.label = "shadow mask slots",
                                      .size = std::max<uint64_t>(16, 4 * uint64_t(m_mostInView)),
@@ -180,7 +182,7 @@ class StencilShadowVolume final : public ShadowTechnique {
         .load = slot % kChannels == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load,
         .clear = {1, 1, 1, 1}};
     rhi::PassDesc pass{.label = "shadow mask", .colors = std::span(&mask, 1)};
-    const rhi::ResourceUse counts = rhi::use(m_counts.id(), rhi::Access::Sampled);
+    const rhi::ResourceUse counts = rhi::use(m_counts, rhi::Access::Sampled);
     std::vector<rhi::Binding> bindings;
     if (m_float) {
       pass.reads = {&counts, 1};
@@ -206,7 +208,8 @@ class StencilShadowVolume final : public ShadowTechnique {
   std::optional<ShadowVolumes> m_volumes;
   std::optional<VolumeCounter> m_counter;
   rhi::Format m_maskFormat = rhi::Format::Undefined;
-  rhi::Texture m_mask, m_counts;
+  rhi::Texture m_mask;
+  rhi::TextureId m_counts;
   rhi::Buffer m_slots;
   rhi::Sampler m_sampler;
   std::vector<rhi::PipelineId> m_maskPipelines;  ///< by channel
