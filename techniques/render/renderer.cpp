@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 #include "techniques/render/frame_order.h"
 
 namespace sb {

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "techniques/draw/frame_stream.h"
+#include "techniques/draw/frame/frame_stream.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/visibility_buffer.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "suites/scenes/analysis/free_views.h"
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/motion_scenes.h"
 

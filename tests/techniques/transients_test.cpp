@@ -1,5 +1,5 @@
 // Textures of different parts of a frame share memory, and nothing that is in it.
-#include "techniques/draw/transients.h"
+#include "techniques/draw/frame/transients.h"
 
 #include "backends/rhi/validate/validator.h"
 #include "techniques/render/registry.h"

@@ -1,5 +1,5 @@
 // What light views may hold where a camera is set freely.
-#include "techniques/draw/view_fit.h"
+#include "techniques/draw/fit/view_fit.h"
 
 #include <gtest/gtest.h>
 

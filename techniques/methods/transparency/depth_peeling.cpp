@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/pass_queries.h"
+#include "techniques/draw/frame/pass_queries.h"
 #include "techniques/render/coloured_layers.h"
 #include "techniques/render/screen_targets.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "techniques/draw/light_views.h"
+#include "techniques/draw/fit/light_views.h"
 
 namespace sb {
 

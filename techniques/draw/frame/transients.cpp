@@ -1,4 +1,4 @@
-#include "techniques/draw/transients.h"
+#include "techniques/draw/frame/transients.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "techniques/draw/view_path.h"
+#include "techniques/draw/fit/view_path.h"
 
 #include <algorithm>
 #include <tuple>
