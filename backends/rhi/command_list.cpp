@@ -123,6 +123,11 @@ void CommandList::copy(const TextureView& source, const TextureView& target) {
   doCopy(source, target);
 }
 
+void CommandList::discard(TextureId texture) {
+  assert(!m_inPass && "what a pass uses is discarded between passes");
+  if (m_observer) m_observer->discard(texture);
+}
+
 void CommandList::timestamp(QueryPoolId pool, uint32_t index) {
   assert(!m_inPass && "stamps stand between passes");
   if (m_observer) m_observer->timestamp(pool, index);

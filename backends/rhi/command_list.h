@@ -65,8 +65,8 @@ class CommandList {
   void dispatch(const DispatchState& state, uint32_t x, uint32_t y = 1, uint32_t z = 1);
   void dispatchIndirect(const DispatchState& state, BufferId args, uint64_t offset = 0);
 
-  /// Copies host bytes into a buffer, in order with the passes around it. Vulkan: staging ring and
-  /// vkCmdCopyBuffer. GL: glNamedBufferSubData.
+  /// Copies host bytes into a buffer, in order with the passes around it; none of them, nothing.
+  /// Vulkan: staging ring and vkCmdCopyBuffer. GL: glNamedBufferSubData.
   void write(BufferId buffer, uint64_t offset, std::span<const std::byte> bytes);
   /// Fills with a repeated 32-bit word; offset and size are multiples of 4.
   void fill(BufferId buffer, uint64_t offset, uint64_t size, uint32_t word);
@@ -74,6 +74,9 @@ class CommandList {
             uint64_t size);
   /// Same format, extent and sample count; all mips and layers of both views.
   void copy(const TextureView& source, const TextureView& target);
+  /// Nothing reads what a texture holds before it is written again. Vulkan, GL: nothing; validation
+  /// holds it to be true.
+  void discard(TextureId texture);
 
   /// Stamps the time at which everything before it has finished, and lets nothing after it start
   /// before (facts.md: without a full barrier a stamp says nothing). Outside passes. Vulkan:

@@ -32,6 +32,7 @@ struct TextureDesc {
   uint32_t mips = 1;
   uint32_t samples = 1;  ///< 1 or a count in Limits::sampleCounts; 2-D kinds only
   TextureUse use = TextureUse::None;
+  bool operator==(const TextureDesc&) const = default;
 };
 
 /// A part of a texture. A Tex2DArray stays an array when viewed; mips are relative to level 0.

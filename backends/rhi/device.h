@@ -73,7 +73,7 @@ class Device {
   void destroy(QueryPoolId id);
 
   /// Blocking transfers outside frames. `bytes` of a texture are tightly packed rows, row 0 first
-  /// (hostTexelBytes per texel). Reads wait for all submitted work.
+  /// (hostTexelBytes per texel). No bytes for a buffer: nothing. Reads wait for all submitted work.
   void upload(BufferId buffer, uint64_t offset, std::span<const std::byte> bytes);
   void upload(TextureId texture, const TextureRegion& region, std::span<const std::byte> bytes);
   std::vector<std::byte> read(BufferId buffer, uint64_t offset, uint64_t size);

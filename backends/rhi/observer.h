@@ -38,6 +38,7 @@ class Observer {
   virtual void fill(BufferId, uint64_t /*offset*/, uint64_t /*size*/) {}
   virtual void copy(BufferId, uint64_t, BufferId, uint64_t, uint64_t /*size*/) {}
   virtual void copy(const TextureView&, const TextureView&) {}
+  virtual void discard(TextureId) {}
   virtual void timestamp(QueryPoolId, uint32_t) {}
   virtual void beginQuery(QueryPoolId, uint32_t) {}
   virtual void endQuery(QueryPoolId, uint32_t) {}

@@ -1,8 +1,9 @@
 // What everything that prepares passes for one cell shares.
 #pragma once
 
-#include "techniques/draw/pipeline_cache.h"
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/frame/pipeline_cache.h"
+#include "techniques/draw/frame/transients.h"
+#include "techniques/draw/views/scene_view.h"
 #include "techniques/plan/knobs.h"
 #include "techniques/plan/plan.h"
 
@@ -13,6 +14,7 @@ struct Context {
   rhi::Device& device;
   const rhi::ShaderLibrary& shaders;
   PipelineCache& pipelines;
+  Transients& transients;
   SceneView& view;
   const Plan& plan;
   const Knobs& knobs;

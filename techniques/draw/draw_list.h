@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 
 namespace sb {
 

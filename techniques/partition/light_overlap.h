@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 #include "techniques/scene/geometry/hull2.h"
 #include "techniques/scene/geometry/mesh_shape.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 
 namespace sb {
 namespace {

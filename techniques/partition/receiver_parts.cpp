@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "techniques/draw/view_order.h"
+#include "techniques/draw/views/view_order.h"
 #include "techniques/partition/light_batches.h"
 #include "techniques/partition/light_order.h"
 

@@ -128,7 +128,9 @@ std::vector<std::string> CameraPass::warnings() {
 void CameraPass::recordLayer(Frame& frame, const ReceiverLayer& layer,
                              const std::function<void()>& depth,
                              const std::function<void()>& surfaces) const {
-  sb::recordLayer(frame, m_desc.byLayer, layer, {depth, surfaces});
+  const auto begin = [&] { m_context.transients.begin(frame.commands()); };
+  sb::recordLayer(frame, m_desc.byLayer, layer,
+                  {.depth = [&] { depth(), begin(); }, .surfaces = [&] { begin(), surfaces(); }});
 }
 
 void CameraPass::recordOpaque(Frame& frame) {

@@ -7,7 +7,7 @@ namespace sb {
 
 ColouredLayers::ColouredLayers(const Context& context, const CameraPass& camera) {
   const auto texture = [&](const char* label) {
-    return screenTarget(context, label, CameraPass::kColorFormat);
+    return context.device.createTexture(screenTarget(context, label, CameraPass::kColorFormat));
   };
   m_color = texture("coloured layers");
   for (rhi::Texture& through : m_through) through = texture("coloured transmittance");

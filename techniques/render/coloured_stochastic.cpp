@@ -35,7 +35,7 @@ void ColouredStochastic::createTargets(const Context& context) {
   if (!caps.colorTarget || !caps.blend)
     throw rhi::Error("StochasticTransparency", "", "the device cannot blend into RGBA32F");
   const auto texture = [&](const char* label, rhi::Format format) {
-    return screenTarget(context, label, format);
+    return context.transients.texture(screenTarget(context, label, format), FramePart::Surfaces);
   };
   for (uint32_t s = 0; s < m_samples; ++s)
     m_depths[s] = texture("stochastic depths by channel", kExact);
@@ -88,7 +88,7 @@ void ColouredStochastic::record(Frame& frame, CameraPass& camera) {
     kept.push_back({.view = {.texture = m_depths[s]}, .clear = {-1, -1, -1, -1}});
   surfaces("stochastic depth", kept, m_depthPass, m_unshaded);
   for (uint32_t s = 0; s < m_samples; ++s)
-    reads.push_back(rhi::use(m_depths[s].id(), rhi::Access::Sampled));
+    reads.push_back(rhi::use(m_depths[s], rhi::Access::Sampled));
   const rhi::ColorAttachment lights[] = {{.view = {.texture = m_light}, .clear = {0, 0, 0, 0}},
                                          {.view = {.texture = m_hides}, .clear = {0, 0, 0, 0}}};
   surfaces("visible colours", lights, m_lightPass, m_shaded);
@@ -96,15 +96,15 @@ void ColouredStochastic::record(Frame& frame, CameraPass& camera) {
   reads.erase(reads.begin());
   std::vector<rhi::Binding> bindings;
   // basic has no total and does not read one.
-  const rhi::TextureId total = m_basic ? m_light.id() : m_total.id();
+  const rhi::TextureId total = m_basic ? m_light : m_total;
   bindings.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY, total, m_sampler));
   for (uint32_t s = 0; s < 4; ++s)
     bindings.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY + 1 + s, depths(s), m_sampler));
   bindings.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY + 5, m_light, m_sampler));
   bindings.push_back(rhi::textureAt(TEXTURE_TRANSPARENCY + 6, m_hides, m_sampler));
-  reads.push_back(rhi::use(m_light.id(), rhi::Access::Sampled));
-  reads.push_back(rhi::use(m_hides.id(), rhi::Access::Sampled));
-  if (!m_basic) reads.push_back(rhi::use(m_total.id(), rhi::Access::Sampled));
+  reads.push_back(rhi::use(m_light, rhi::Access::Sampled));
+  reads.push_back(rhi::use(m_hides, rhi::Access::Sampled));
+  if (!m_basic) reads.push_back(rhi::use(m_total, rhi::Access::Sampled));
   camera.compositePass(frame, "composite", reads, [&](rhi::CommandList& commands) {
     drawFullscreen(commands, m_composite, bindings);
   });

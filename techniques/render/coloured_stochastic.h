@@ -22,12 +22,12 @@ class ColouredStochastic {
   void createPipelines(const Context& context, const CameraPass& camera);
   /// The target of a sample, or of the first one where there are fewer: bound, not read.
   rhi::TextureId depths(size_t sample) const {
-    return m_depths[sample < m_samples ? sample : 0].id();
+    return m_depths[sample < m_samples ? sample : 0];
   }
 
   uint32_t m_samples;
   bool m_basic;
-  rhi::Texture m_depths[4], m_total, m_light, m_hides;
+  rhi::TextureId m_depths[4], m_total, m_light, m_hides;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_totalPass, m_depthPass, m_lightPass, m_composite;
   DrawList m_unshaded, m_shaded;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 #include "techniques/render/frame_order.h"
 
 namespace sb {
@@ -31,6 +31,7 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
                    RendererDesc desc)
     : m_device(device),
       m_desc(std::move(desc)),
+      m_transients(device.device),
       m_runner(device.device, device.queries),
       m_stream(device.device, device.queries) {
   const auto before = device.device.ledger().bytesByLabel();
@@ -65,7 +66,8 @@ Renderer::Renderer(const DeviceContext& device, const GpuScene& gpuScene, const 
 }
 
 Context Renderer::context() {
-  return {m_device.device, m_device.shaders, m_device.pipelines, *m_view, m_plan, m_desc.knobs};
+  return {m_device.device, m_device.shaders, m_device.pipelines, m_transients,
+          *m_view,         m_plan,           m_desc.knobs};
 }
 
 Renderer::Record Renderer::moved(std::function<void(rhi::CommandList&)> move) {

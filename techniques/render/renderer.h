@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "techniques/draw/frame_stream.h"
+#include "techniques/draw/frame/frame_stream.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/visibility_buffer.h"
 
@@ -97,6 +97,7 @@ class Renderer {
   DeviceContext m_device;
   RendererDesc m_desc;
   Plan m_plan;
+  Transients m_transients;
   std::unique_ptr<SceneView> m_view;
   std::unique_ptr<ShadowTechnique> m_technique;
   std::unique_ptr<LightTechnique> m_lights;

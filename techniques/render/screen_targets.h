@@ -15,15 +15,12 @@ inline constexpr rhi::BlendState kBlendMultiply = {.enabled = true,
                                                    .srcAlpha = rhi::BlendFactor::Zero,
                                                    .dstAlpha = rhi::BlendFactor::One};
 
-/// A target of the picture's size that later passes sample.
-inline rhi::Texture screenTarget(const Context& context, const char* label, rhi::Format format) {
+/// A target of the picture's size; if not told otherwise, of colours that later passes sample.
+inline rhi::TextureDesc screenTarget(const Context& context, const char* label, rhi::Format format,
+                                     rhi::TextureUse use = rhi::TextureUse::ColorTarget |
+                                                           rhi::TextureUse::Sampled) {
   const auto [width, height] = context.view.size();
-  return context.device.createTexture(
-      {.label = label,
-       .format = format,
-       .width = width,
-       .height = height,
-       .use = rhi::TextureUse::ColorTarget | rhi::TextureUse::Sampled});
+  return {.label = label, .format = format, .width = width, .height = height, .use = use};
 }
 
 }  // namespace sb

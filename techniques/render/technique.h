@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "techniques/draw/context.h"
-#include "techniques/draw/frame.h"
+#include "techniques/draw/frame/frame.h"
 #include "techniques/plan/lookup_reach.h"
 
 namespace sb {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "shaders/common/shared_volume.h"
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 #include "techniques/volumes/edge_buffers.h"
 #include "techniques/volumes/shadow_culling.h"
 

@@ -1,8 +1,8 @@
 // Edges, corners and positions of a scene's meshes as compute and geometry shaders read them.
 #pragma once
 
-#include "techniques/draw/gpu_scene.h"
-#include "techniques/draw/storage_window.h"
+#include "techniques/draw/scene/gpu_scene.h"
+#include "techniques/draw/scene/storage_window.h"
 #include "techniques/volumes/edge_mesh.h"
 
 namespace sb {

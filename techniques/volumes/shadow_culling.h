@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 #include "techniques/scene/tree/scene_tree.h"
 #include "techniques/volumes/volume_bounds.h"
 

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "techniques/draw/context.h"
-#include "techniques/draw/frame.h"
+#include "techniques/draw/frame/frame.h"
 #include "techniques/volumes/silhouette.h"
 
 namespace sb {

@@ -2,6 +2,7 @@
 
 Each test file is run as: FILE BENCH SOURCE_DIR [unittest arguments].
 """
+import json
 import os
 import subprocess
 import sys
@@ -19,6 +20,15 @@ NO_EGL = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
 def run(*arguments, env=None, cwd=None, timeout=120):
     return subprocess.run([BENCH, *arguments], capture_output=True, text=True, timeout=timeout,
                           env={**os.environ, **(env or {})}, cwd=cwd)
+
+
+def cells_of(file):
+    with open(file) as text:
+        return [e for e in json.load(text)["benchmarks"] if e["run_type"] == "aggregate"]
+
+
+def names_of(file):
+    return [e["run_name"] for e in cells_of(file)]
 
 
 class Case(unittest.TestCase):

@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from program import BENCH, FAST, SOURCE, Case, main
+from program import BENCH, FAST, SOURCE, Case, cells_of, main
 
 BUILD = os.path.dirname(BENCH)
 
@@ -84,8 +84,7 @@ class AddingATechnique(Case):
              "--scene", "layers", *FAST, "--validate", "--json", results],
             capture_output=True, text=True, cwd=self.folder, timeout=300)
         self.assertEqual(run.returncode, 0, run.stderr + run.stdout)
-        with open(results) as file:
-            cells = [e for e in json.load(file)["benchmarks"] if e["run_type"] == "aggregate"]
+        cells = cells_of(results)
         self.assertEqual({(c["technique"], c["backend"]) for c in cells},
                          {(t, b) for t in ("none", "MyTechnique") for b in ("vulkan", "opengl")})
         for cell in cells:
@@ -117,9 +116,7 @@ class AddingATechnique(Case):
                  (("ShadowMap", ""), ("ShadowMap@MyLoop", "reach:8/")) for b in ("vulkan", "opengl")]
         self.assertEqual(bench("--list", *cells, "--size", "32x32").split(), names)
         bench("--shaders", shaders, *cells, *FAST, "--validate", "--json", "r.json", "--csv", "r.csv")
-        with open(self.path("r.json")) as file:
-            found = {e["run_name"]: e for e in json.load(file)["benchmarks"]
-                     if e["run_type"] == "aggregate"}
+        found = {e["run_name"]: e for e in cells_of(self.path("r.json"))}
         self.assertEqual(list(found), names)
         for name, cell in found.items():
             self.assertEqual(cell["status"], "ok", cell["reason"])

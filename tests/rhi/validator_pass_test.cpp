@@ -113,6 +113,26 @@ TEST_F(PassRules, WhatWasNotStoredCannotBeLoaded) {
   expectOnly("load-never-written", "colour");
 }
 
+TEST_F(PassRules, WhatWasDiscardedIsNotThere) {
+  const rhi::Texture layer =
+      texture("layer", rhi::Format::RGBA8Unorm, TextureUse::ColorTarget | TextureUse::Sampled);
+  const rhi::ColorAttachment made = {.view = {layer.id()}};
+  const rhi::ResourceUse read = rhi::use(layer.id(), Access::Sampled);
+  const auto readLayer = [&] { pass({.label = "p", .compute = true, .reads = {&read, 1}}); };
+  pass({.label = "made", .colors = {&made, 1}});
+  readLayer();
+  expectClean();
+  {
+    const rhi::FrameScope frame(*m_device);
+    frame.commands().discard(layer);
+  }
+  readLayer();
+  expectOnly("read-never-written", "layer");
+  pass({.label = "made", .colors = {&made, 1}});
+  readLayer();
+  expectClean();
+}
+
 TEST_F(PassRules, ReadOnlyDepth) {
   pass({.label = "p", .depth = rhi::DepthAttachment{.view = {m_depth.id()}, .readOnly = true}});
   expectOnly("read-only-depth", "load");

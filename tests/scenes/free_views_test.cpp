@@ -105,6 +105,24 @@ TEST(FreeViews, ACameraShowsWhatItsOwnAnalysisSays) {
   }
 }
 
+TEST(FreeViews, AFarCameraAddsNothingByItsCoarserRounding) {
+  // A sign that no light shines on, beside the floor by less than what is rounded at such a
+  // distance.
+  Scene scene;
+  addHorizontal(scene, add(scene, matte()), {0, 0, 0}, 4, 4);
+  Material sign = matte();
+  sign.unlit = true;
+  const uint32_t beside = addBox(scene, add(scene, sign), {4.0625f, 1, -1}, {5, 2, 1});
+  addLight(scene, sun({0, -1, 0}));
+  scene.cameras.push_back(lookAt({0, 1, 6}, {0, 1, 0}));
+  const FreeViews views(scene, kAspect, kRows);
+  Scene seen = scene;
+  seen.cameras.front() = lookAt({0, 1e5, 1}, {0, 0, 0}, 1e-3, 1e6);
+  ASSERT_TRUE(within({beside}, analyse(seen, kAspect, kRows).lights[0].opaqueCasters));
+  EXPECT_FALSE(within({beside}, views.anywhere().lights[0].opaqueCasters));
+  EXPECT_FALSE(within({beside}, views.from(seen.cameras.front()).lights[0].opaqueCasters));
+}
+
 TEST(FreeViews, StepsOfAWorldAreSeenFromAnywhereToo) {
   const Scene scene = inhabited(true);
   const FreeViews views(scene, kAspect, kRows);

@@ -8,7 +8,7 @@
 
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/scenes/procedural/shapes.h"
-#include "techniques/draw/storage_window.h"
+#include "techniques/draw/scene/storage_window.h"
 
 namespace sb::test {
 namespace {

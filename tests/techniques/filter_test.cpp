@@ -1,6 +1,6 @@
 // The filters of ShadowMap and CSSM2 on small maps made by hand: the worked examples of specs 01
 // and 04, compare before filter, weights, borders. Depths here rise from the light, as in the specs;
-// maps and lookups hold them reversed (techniques/draw/light_views.h).
+// maps and lookups hold them reversed (techniques/draw/fit/light_views.h).
 #include <cmath>
 
 #include "shaders/common/shared_slots.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "suites/scenes/analysis/free_views.h"
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/motion_scenes.h"
 
@@ -127,6 +127,18 @@ GPU_TEST(FreeCamera, TransparencyTechniquesShowWhatAStandingCameraSees) {
                                     shownBy("ShadowMap", {}, technique->info.name));
   expectPicturesOfStandingCameras(device(), furnished(false),
                                   shownBy("ShadowMap", {{"sort", "triangle"}}));
+}
+
+GPU_TEST(FreeCamera, TrianglesMayAlternateWhereTheOverviewSortsMeshByMesh) {
+  // The fifth place looks straight at two boxes beside each other and meets a triangle of each by
+  // turns; from above, all of one lie before the other.
+  Scene scene = furnished(false);
+  const glm::vec3 gaze = glm::normalize(glm::vec3(2.5f, -1.5f, 5.5f));
+  const glm::vec3 aside = glm::normalize(glm::vec3(1.5f, 2.5f, 0));
+  const glm::vec3 first(-0.5f, 0.5f, 0), second = first + 2.0f * aside + 0.01f * gaze;
+  const uint32_t pane = add(scene, glass(0.5f, {0.5f, 1, 0.25f}));
+  for (const glm::vec3& low : {first, second}) addBox(scene, pane, low, low + 0.5f);
+  expectPicturesOfStandingCameras(device(), scene, shownBy("none", {{"sort", "triangle"}}));
 }
 
 GPU_TEST(FreeCamera, OrdersAndPartitionsFollowTheCamera) {

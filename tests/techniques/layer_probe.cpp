@@ -15,7 +15,7 @@ class LayerProbe final : public ShadowTechnique {
 
   void prepare(const Context& context) override {
     m_frame = context.view.bindings();
-    m_answer = screenTarget(context, "layer probe", kFormat);
+    m_answer = context.device.createTexture(screenTarget(context, "layer probe", kFormat));
     m_sampler =
         context.device.createSampler({.label = "layer probe", .filter = rhi::Filter::Nearest});
     m_pipeline = context.pipeline(

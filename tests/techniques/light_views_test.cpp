@@ -1,6 +1,6 @@
 // Light frusta without a GPU: snapping of a moving view (spec 01, invariant 7 and P9), translation
 // by texels, the depth step of spec 01's worked example.
-#include "techniques/draw/light_views.h"
+#include "techniques/draw/fit/light_views.h"
 
 #include <gtest/gtest.h>
 

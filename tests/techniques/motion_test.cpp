@@ -8,7 +8,7 @@
 
 #include "backends/null/null_backend.h"
 #include "suites/scenes/analysis/analysis.h"
-#include "techniques/draw/view_path.h"
+#include "techniques/draw/fit/view_path.h"
 #include "tests/techniques/motion_scenes.h"
 
 namespace sb::test {

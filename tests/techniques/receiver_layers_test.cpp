@@ -106,6 +106,22 @@ GPU_TEST(ReceiverLayers, PositionsFromDepthHoldAtAnyDistance) {
   EXPECT_GT(receivers, 1000u);
 }
 
+GPU_TEST(ReceiverLayers, WhatTheAnswerIsMadeInMaySharePlaceWithWhatSurfacesAreDrawnInto) {
+  // Counts in a float target share it with the total transmittance; in the stencil they do not.
+  const auto picture = [&](const char* counter) {
+    Cell cell(cellDevice(device()), panesOverFloor(),
+              {.technique = "StencilShadowVolume",
+               .knobs = {{"counter", counter}},
+               .size = {48, 48},
+               .transparency = "StochasticTransparency"});
+    const bool shares = !cell.renderer().bytesByLabel().contains("total transmittance");
+    EXPECT_EQ(shares, std::string(counter) == "float");
+    cell.renderAgain();
+    return cell.picture().rgba;
+  };
+  EXPECT_EQ(picture("float"), picture("stencil8"));
+}
+
 GPU_TEST(ReceiverLayers, EachLayerOfThePictureIsAskedForByItself) {
   const rhi::Extent2D size{48, 48};
   const auto picture = [&](const ShadowEntry* entry) {

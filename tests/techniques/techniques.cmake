@@ -51,4 +51,6 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/transients_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/view_fit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/volume_geometry_test.cpp)

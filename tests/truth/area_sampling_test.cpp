@@ -57,6 +57,8 @@ TEST(TruthArea, ALampInTheCeilingIsNotShadowedByIt) {
     EXPECT_EQ(shareAt(tracer, 0.123 * i, 0.456), 1) << i;
     EXPECT_EQ(shareAt(tracer, 0.123 * i, 0.456, {.pattern = 16}), 1) << i;
   }
+  const Truth t = *tracer.trace({.width = 16, .height = 16});
+  EXPECT_EQ(t.rays, 16u * 16 * 5 * 2) << "it is not between: one ray to the eye, one to the light";
 }
 
 TEST(TruthArea, WhatFewSamplesMissIsFound) {

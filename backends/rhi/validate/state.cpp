@@ -99,4 +99,8 @@ void markTransferred(State& state, const TextureView& view) {
   mark(state, view, {.written = true, .stencil = true});
 }
 
+void markDiscarded(State& state, TextureId id) {
+  change(state, {.texture = id}, [](Content& c) { c.written = c.stencil = false; });
+}
+
 }  // namespace rhi::validate

@@ -97,5 +97,6 @@ std::string describe(const State& state, TextureId id);
 void applyPass(State& state);
 void markTransferred(State& state, BufferId id);
 void markTransferred(State& state, const TextureView& view);
+void markDiscarded(State& state, TextureId id);
 
 }  // namespace rhi::validate

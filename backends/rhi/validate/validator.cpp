@@ -193,6 +193,8 @@ void Validator::copy(const TextureView& source, const TextureView& target) {
   markTransferred(*m_state, target);
 }
 
+void Validator::discard(TextureId texture) { markDiscarded(*m_state, texture); }
+
 void Validator::upload(BufferId buffer, uint64_t offset, uint64_t size) {
   run(TransferCheck{
       .state = *m_state, .call = "upload", .buffer = buffer, .offset = offset, .size = size});

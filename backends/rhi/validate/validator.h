@@ -54,6 +54,7 @@ class Validator : public Observer {
   void copy(BufferId source, uint64_t sourceOffset, BufferId target, uint64_t targetOffset,
             uint64_t size) override;
   void copy(const TextureView& source, const TextureView& target) override;
+  void discard(TextureId texture) override;
   void timestamp(QueryPoolId pool, uint32_t index) override;
   void beginQuery(QueryPoolId pool, uint32_t index) override;
   void endQuery(QueryPoolId pool, uint32_t index) override;

@@ -8,7 +8,7 @@
 #include "reports/picture.h"
 #include "reports/record.h"
 #include "suites/harness/cell.h"
-#include "techniques/draw/frame.h"
+#include "techniques/draw/frame/frame.h"
 
 namespace sb {
 

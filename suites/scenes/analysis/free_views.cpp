@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "suites/scenes/analysis/parts.h"
 #include "suites/scenes/edit/framing.h"
+#include "techniques/plan/scene_order.h"
 #include "techniques/scene/box.h"
 
 namespace sb {
@@ -33,15 +33,8 @@ Camera overviewOf(const Scene& scene, double aspect) {
   return camera;
 }
 
-/// Those that are in `all` too. Both lists are in scene order.
-void keepCommon(std::vector<uint32_t>& list, const std::vector<uint32_t>& all) {
-  std::vector<uint32_t> common;
-  std::ranges::set_intersection(list, all, std::back_inserter(common));
-  list = std::move(common);
-}
-
 /// Both are conservative, each with its own rounding: what one leaves out, no pixel shows.
-void keepCommon(ViewEffects& view, const ViewEffects& all) {
+void keepView(ViewEffects& view, const ViewEffects& all) {
   keepCommon(view.visibleOpaque, all.visibleOpaque);
   keepCommon(view.visibleTranslucent, all.visibleTranslucent);
   keepCommon(view.visibleMedia, all.visibleMedia);
@@ -79,7 +72,7 @@ FreeViews::~FreeViews() = default;
 ViewEffects FreeViews::from(const Camera& camera, uint32_t step) const {
   const PlacedScene placed = PlacedScene(m_scene, step).seenBy(camera);
   ViewEffects view = viewEffects(Analysis(placed, *m_traits, {m_aspect, m_rows}));
-  keepCommon(view, m_anywhere.steps.empty() ? m_anywhere : m_anywhere.steps.at(step));
+  keepView(view, m_anywhere.steps.empty() ? m_anywhere : m_anywhere.steps.at(step));
   return view;
 }
 

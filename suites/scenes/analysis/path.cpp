@@ -2,16 +2,10 @@
 #include <algorithm>
 
 #include "suites/scenes/analysis/parts.h"
+#include "techniques/plan/scene_order.h"
 
 namespace sb {
 namespace {
-
-// Both lists are in scene order.
-void addAll(std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
-  std::vector<uint32_t> both;
-  std::ranges::set_union(to, from, std::back_inserter(both));
-  to = std::move(both);
-}
 
 void addView(ViewEffects& to, const ViewEffects& from) {
   addAll(to.visibleOpaque, from.visibleOpaque);

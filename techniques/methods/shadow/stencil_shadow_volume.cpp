@@ -75,7 +75,7 @@ class StencilShadowVolume final : public ShadowTechnique {
   void moved(Frame& frame) override {
     m_volumes->moved(frame);
     const std::vector<uint32_t> now = slots(m_volumes->lights());
-    if (m_slots && !now.empty()) frame.commands().write(m_slots, 0, std::as_bytes(std::span(now)));
+    if (m_slots) frame.commands().write(m_slots, 0, std::as_bytes(std::span(now)));
   }
 
   void record(Frame& frame) override { m_volumes->record(frame); }
@@ -144,7 +144,9 @@ class StencilShadowVolume final : public ShadowTechnique {
     for (uint32_t layer = 0; layer * kChannels < m_mostLights && !context.view.stands(); ++layer)
       context.device.upload(m_mask, {.layer = layer}, std::span(lit).first(bytes));
     if (m_float)
-      m_counts = screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat);
+      m_counts = context.transients.texture(
+          screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat),
+          FramePart::Receivers);
     m_slots =
         context.device.createBuffer({.label = "shadow mask slots",
                                      .size = std::max<uint64_t>(16, 4 * uint64_t(m_mostInView)),
@@ -193,7 +195,7 @@ class StencilShadowVolume final : public ShadowTechnique {
         .load = slot % kChannels == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load,
         .clear = {1, 1, 1, 1}};
     rhi::PassDesc pass{.label = "shadow mask", .colors = std::span(&mask, 1)};
-    const rhi::ResourceUse counts = rhi::use(m_counts.id(), rhi::Access::Sampled);
+    const rhi::ResourceUse counts = rhi::use(m_counts, rhi::Access::Sampled);
     std::vector<rhi::Binding> bindings;
     if (m_float) {
       pass.reads = {&counts, 1};
@@ -219,7 +221,8 @@ class StencilShadowVolume final : public ShadowTechnique {
   std::optional<ShadowVolumes> m_volumes;
   std::optional<VolumeCounter> m_counter;
   rhi::Format m_maskFormat = rhi::Format::Undefined;
-  rhi::Texture m_mask, m_counts;
+  rhi::Texture m_mask;
+  rhi::TextureId m_counts;
   rhi::Buffer m_slots;
   rhi::Sampler m_sampler;
   std::vector<rhi::PipelineId> m_maskPipelines;  ///< by channel

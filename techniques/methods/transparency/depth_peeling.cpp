@@ -11,8 +11,9 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/pass_queries.h"
+#include "techniques/draw/frame/pass_queries.h"
 #include "techniques/render/coloured_layers.h"
+#include "techniques/render/screen_targets.h"
 
 namespace sb {
 namespace {
@@ -105,20 +106,20 @@ class DepthPeeling final : public TransparencyTechnique {
   }
 
   void createTargets(const Context& context, const CameraPass& camera) {
-    const auto [width, height] = context.view.size();
-    auto texture = [&](const char* label, rhi::Format format, rhi::TextureUse use) {
-      return context.device.createTexture({.label = label,
-                                           .format = format,
-                                           .width = width,
-                                           .height = height,
-                                           .use = use | rhi::TextureUse::Sampled});
+    const auto ofLayer = [&](const char* label) {
+      return context.transients.texture(screenTarget(context, label, CameraPass::kColorFormat),
+                                        FramePart::Surfaces);
     };
     for (rhi::Texture& depth : m_depth)
-      depth = texture("peeled depth", camera.depthFormat(), rhi::TextureUse::DepthTarget);
-    m_layer = texture("peeled layer", CameraPass::kColorFormat, rhi::TextureUse::ColorTarget);
-    const char* second = m_coloured ? "peeled layer's weights" : "peeled layers";
-    (m_coloured ? m_layerBehind : m_layers) =
-        texture(second, CameraPass::kColorFormat, rhi::TextureUse::ColorTarget);
+      depth = context.device.createTexture(
+          screenTarget(context, "peeled depth", camera.depthFormat(),
+                       rhi::TextureUse::DepthTarget | rhi::TextureUse::Sampled));
+    m_layer = ofLayer("peeled layer");
+    if (m_coloured)
+      m_layerBehind = ofLayer("peeled layer's weights");
+    else
+      m_layers = context.device.createTexture(
+          screenTarget(context, "peeled layers", CameraPass::kColorFormat));
     m_sampler =
         context.device.createSampler({.label = "peeling sampler", .filter = rhi::Filter::Nearest});
   }
@@ -193,7 +194,7 @@ class DepthPeeling final : public TransparencyTechnique {
     const rhi::ColorAttachment color{.view = {.texture = m_layers},
                                      .load = first ? rhi::LoadOp::Clear : rhi::LoadOp::Load,
                                      .clear = {0, 0, 0, 1}};
-    const rhi::ResourceUse read = rhi::use(m_layer.id(), rhi::Access::Sampled);
+    const rhi::ResourceUse read = rhi::use(m_layer, rhi::Access::Sampled);
     const rhi::Binding layer = rhi::textureAt(TEXTURE_TRANSPARENCY, m_layer, m_sampler);
     frame.pass({.label = "slide under", .colors = std::span(&color, 1), .reads = {&read, 1}},
                PassGroup::Scene, [&](rhi::CommandList& commands) {
@@ -214,7 +215,8 @@ class DepthPeeling final : public TransparencyTechnique {
   bool m_coloured = false;
   PassQueries m_queries;
   PassesAtSteps m_atSteps;
-  rhi::Texture m_depth[2], m_layer, m_layers, m_layerBehind;
+  rhi::Texture m_depth[2], m_layers;
+  rhi::TextureId m_layer, m_layerBehind;  ///< of one layer
   ColouredLayers m_under;
   rhi::Sampler m_sampler;
   LayerPipelines m_peel, m_peelDepth;

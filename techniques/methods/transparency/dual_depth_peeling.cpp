@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/pass_queries.h"
+#include "techniques/draw/frame/pass_queries.h"
 #include "techniques/render/coloured_layers.h"
 #include "techniques/render/screen_targets.h"
 
@@ -74,7 +74,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
 
     const rhi::Binding opaque = rhi::textureAt(TEXTURE_TRANSPARENCY, camera.depth(), m_sampler);
     m_all = camera.drawListWith({&opaque, 1});
-    for (const rhi::Texture& bounds : m_bounds) {
+    for (const rhi::TextureId bounds : m_bounds) {
       const rhi::Binding extra[] = {opaque,
                                     rhi::textureAt(TEXTURE_TRANSPARENCY + 1, bounds, m_sampler)};
       m_between.push_back(camera.drawListWith(extra));
@@ -111,9 +111,9 @@ class DualDepthPeeling final : public TransparencyTechnique {
     if (!caps.colorTarget || !caps.blend)
       throw rhi::Error("DualDepthPeeling", "", "the device cannot blend into RG32F");
     const auto texture = [&](const char* label, rhi::Format format) {
-      return screenTarget(context, label, format);
+      return context.transients.texture(screenTarget(context, label, format), FramePart::Surfaces);
     };
-    for (rhi::Texture& bounds : m_bounds) bounds = texture("dual peeling bounds", kBoundsFormat);
+    for (rhi::TextureId& bounds : m_bounds) bounds = texture("dual peeling bounds", kBoundsFormat);
     m_front = texture("dual peeling front layers", CameraPass::kColorFormat);
     m_back = texture("dual peeling back layers", CameraPass::kColorFormat);
     if (m_coloured) {
@@ -147,7 +147,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
                 {.view = {.texture = m_back}, .clear = {0, 0, 0, 0}},
                 {.view = {.texture = m_backBehind}, .clear = {1, 1, 1, 1}}};
     const rhi::ResourceUse reads[] = {rhi::use(camera.depth(), rhi::Access::Sampled),
-                                      rhi::use(m_bounds[i % 2].id(), rhi::Access::Sampled)};
+                                      rhi::use(m_bounds[i % 2], rhi::Access::Sampled)};
     camera.surfacePass(
         frame, {.label = "peel both sides", .colors = colors, .reads = reads},
         [&](rhi::CommandList& commands) {
@@ -167,8 +167,8 @@ class DualDepthPeeling final : public TransparencyTechnique {
     const rhi::Binding bindings[] = {rhi::textureAt(TEXTURE_TRANSPARENCY, m_front, m_sampler),
                                      rhi::textureAt(TEXTURE_TRANSPARENCY + 1, m_back, m_sampler),
                                      rhi::textureAt(TEXTURE_TRANSPARENCY + 2, bounds, m_sampler)};
-    const rhi::ResourceUse reads[] = {rhi::use(m_front.id(), rhi::Access::Sampled),
-                                      rhi::use(m_back.id(), rhi::Access::Sampled),
+    const rhi::ResourceUse reads[] = {rhi::use(m_front, rhi::Access::Sampled),
+                                      rhi::use(m_back, rhi::Access::Sampled),
                                       rhi::use(bounds, rhi::Access::Sampled)};
     camera.compositePass(frame, "composite", reads, [&](rhi::CommandList& commands) {
       drawFullscreen(commands, m_composite, bindings);
@@ -189,7 +189,7 @@ class DualDepthPeeling final : public TransparencyTechnique {
   bool m_byQuery = false;
   PassQueries m_queries;  ///< of each peeling pass, and last of what is left
   PassesAtSteps m_atSteps;
-  rhi::Texture m_bounds[2], m_front, m_back, m_frontBehind, m_backBehind;
+  rhi::TextureId m_bounds[2], m_front, m_back, m_frontBehind, m_backBehind;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_init, m_peel, m_composite, m_left;
   DrawList m_all;

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/pass_queries.h"
+#include "techniques/draw/frame/pass_queries.h"
 #include "techniques/lists/list_pool.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/registry.h"

@@ -5,7 +5,7 @@
 //   sort=mesh      by the view depth of the centre of the bounding box (Modisett 2023)
 //   sort=triangle  by the view depth of the centroid of each triangle
 #include "techniques/draw/triangle_order.h"
-#include "techniques/draw/view_order.h"
+#include "techniques/draw/views/view_order.h"
 #include "techniques/render/camera_pass.h"
 #include "techniques/render/registry.h"
 

@@ -11,6 +11,7 @@
 #include "shaders/common/shared_slots.h"
 #include "techniques/render/coloured_stochastic.h"
 #include "techniques/render/registry.h"
+#include "techniques/render/screen_targets.h"
 
 namespace sb {
 namespace {
@@ -69,29 +70,28 @@ class StochasticTransparency final : public TransparencyTechnique {
 
  private:
   void createTargets(const Context& context, const CameraPass& camera) {
-    using U = rhi::TextureUse;
-    const auto [width, height] = context.view.size();
-    auto texture = [&](const char* label, rhi::Format format, uint32_t samples, U use) {
-      const rhi::FormatCaps caps = context.device.formatCaps(format);
-      const bool blends = caps.blend || m_basic || rhi::formatInfo(format).depth;
+    auto texture = [&](rhi::TextureDesc desc, uint32_t samples) {
+      const rhi::FormatCaps caps = context.device.formatCaps(desc.format);
+      const rhi::FormatInfo& format = rhi::formatInfo(desc.format);
+      const bool blends = caps.blend || m_basic || format.depth;
       if (!blends || std::ranges::count(caps.sampleCounts, samples) == 0)
         throw rhi::Error("StochasticTransparency", "",
-                         "the device has no " + std::string(rhi::formatInfo(format).name) +
-                             " targets of " + std::to_string(samples) + " samples that blend");
-      return context.device.createTexture({.label = label,
-                                           .format = format,
-                                           .width = width,
-                                           .height = height,
-                                           .samples = samples,
-                                           .use = use});
+                         "the device has no " + std::string(format.name) + " targets of " +
+                             std::to_string(samples) + " samples that blend");
+      desc.samples = samples;
+      return context.transients.texture(desc, FramePart::Surfaces);
     };
-    const U sampled = U::ColorTarget | U::Sampled;
-    m_depth = texture("stochastic depths", camera.depthFormat(), m_samples, U::DepthTarget);
-    m_colors = texture("stochastic colours", CameraPass::kColorFormat, m_samples, sampled);
-    if (m_samples > 1)
-      m_resolved = texture("stochastic colours resolved", CameraPass::kColorFormat, 1, sampled);
+    const auto colour = [&](const char* label) {
+      return screenTarget(context, label, CameraPass::kColorFormat);
+    };
+    m_depth = texture(screenTarget(context, "stochastic depths", camera.depthFormat(),
+                                   rhi::TextureUse::DepthTarget),
+                      m_samples);
+    m_colors = texture(colour("stochastic colours"), m_samples);
+    if (m_samples > 1) m_resolved = texture(colour("stochastic colours resolved"), 1);
     if (!m_basic)
-      m_transmittance = texture("total transmittance", kTransmittanceFormat, 1, sampled);
+      m_transmittance =
+          texture(screenTarget(context, "total transmittance", kTransmittanceFormat), 1);
     m_sampler = context.device.createSampler(
         {.label = "stochastic transparency sampler", .filter = rhi::Filter::Nearest});
   }
@@ -131,9 +131,9 @@ class StochasticTransparency final : public TransparencyTechnique {
   }
 
   void composite(Frame& frame, CameraPass& camera) {
-    const rhi::TextureId samples = m_samples > 1 ? m_resolved.id() : m_colors.id();
+    const rhi::TextureId samples = m_samples > 1 ? m_resolved : m_colors;
     // basic has no second texture and does not read one.
-    const rhi::TextureId total = m_basic ? samples : m_transmittance.id();
+    const rhi::TextureId total = m_basic ? samples : m_transmittance;
     const rhi::Binding bindings[] = {rhi::textureAt(TEXTURE_TRANSPARENCY, samples, m_sampler),
                                      rhi::textureAt(TEXTURE_TRANSPARENCY + 1, total, m_sampler)};
     const rhi::ResourceUse reads[] = {rhi::use(samples, rhi::Access::Sampled),
@@ -146,7 +146,7 @@ class StochasticTransparency final : public TransparencyTechnique {
   uint32_t m_samples = 1;
   bool m_basic = false;
   std::optional<ColouredStochastic> m_coloured;
-  rhi::Texture m_depth, m_colors, m_resolved, m_transmittance;
+  rhi::TextureId m_depth, m_colors, m_resolved, m_transmittance;
   rhi::Sampler m_sampler;
   rhi::PipelineId m_surfaces, m_total, m_depths, m_composite;
   DrawList m_draws;

@@ -1,4 +1,4 @@
-#include "techniques/draw/gpu_scene.h"
+#include "techniques/draw/scene/gpu_scene.h"
 
 #include <algorithm>
 #include <cstring>

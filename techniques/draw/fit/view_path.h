@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "techniques/draw/light_views.h"
+#include "techniques/draw/fit/light_views.h"
 
 namespace sb {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "techniques/draw/buffer_write.h"
+#include "techniques/draw/views/buffer_write.h"
 
 namespace sb {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "techniques/draw/light_views.h"
-#include "techniques/draw/seen_part.h"
+#include "techniques/draw/fit/light_views.h"
+#include "techniques/draw/fit/seen_part.h"
 
 namespace sb {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "techniques/draw/light_views.h"
+#include "techniques/draw/fit/light_views.h"
 
 namespace sb {
 
@@ -23,9 +23,7 @@ class ViewFit {
 
   /// Fits the lights of all steps, and from now on of every other. Shows all at once.
   void prepare(const LightFitSettings& settings, std::span<const Step> steps);
-  /// Nothing was prepared: no technique has asked for light views.
-  bool empty() const { return !m_settings; }
-  /// Of the shadow maps. Not if empty().
+  /// Of the shadow maps. Only where a technique has asked for light views.
   const LightFitSettings& settings() const { return *m_settings; }
 
   /// Fits the lights to `step`.

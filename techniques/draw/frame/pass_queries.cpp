@@ -1,4 +1,4 @@
-#include "techniques/draw/pass_queries.h"
+#include "techniques/draw/frame/pass_queries.h"
 
 namespace sb {
 

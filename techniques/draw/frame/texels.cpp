@@ -1,4 +1,4 @@
-#include "techniques/draw/texels.h"
+#include "techniques/draw/frame/texels.h"
 
 #include <cstdint>
 #include <glm/gtc/packing.hpp>

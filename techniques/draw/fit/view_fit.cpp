@@ -1,8 +1,8 @@
-#include "techniques/draw/view_fit.h"
+#include "techniques/draw/fit/view_fit.h"
 
 #include <algorithm>
 
-#include "techniques/draw/view_path.h"
+#include "techniques/draw/fit/view_path.h"
 
 namespace sb {
 

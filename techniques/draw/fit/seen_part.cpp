@@ -1,4 +1,4 @@
-#include "techniques/draw/seen_part.h"
+#include "techniques/draw/fit/seen_part.h"
 
 #include <algorithm>
 

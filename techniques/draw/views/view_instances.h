@@ -4,8 +4,8 @@
 #include <map>
 
 #include "shaders/common/shared_types.h"
-#include "techniques/draw/buffer_write.h"
-#include "techniques/draw/gpu_scene.h"
+#include "techniques/draw/scene/gpu_scene.h"
+#include "techniques/draw/views/buffer_write.h"
 #include "techniques/scene/placed_scene.h"
 
 namespace sb {

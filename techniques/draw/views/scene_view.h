@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "techniques/draw/view_buffers.h"
-#include "techniques/draw/view_fit.h"
-#include "techniques/draw/view_instances.h"
+#include "techniques/draw/fit/view_fit.h"
+#include "techniques/draw/views/view_buffers.h"
+#include "techniques/draw/views/view_instances.h"
 #include "techniques/plan/effects.h"
 #include "techniques/scene/camera.h"
 

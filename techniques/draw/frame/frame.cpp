@@ -1,4 +1,4 @@
-#include "techniques/draw/frame.h"
+#include "techniques/draw/frame/frame.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "techniques/draw/storage_window.h"
+#include "techniques/draw/scene/storage_window.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 #include <numbers>
 #include <optional>
 
-#include "techniques/draw/light_fit.h"
+#include "techniques/draw/fit/light_fit.h"
 #include "techniques/scene/light_data.h"
 
 namespace sb {

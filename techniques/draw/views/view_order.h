@@ -2,7 +2,7 @@
 // 000 sorts.
 #pragma once
 
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 
 namespace sb {
 

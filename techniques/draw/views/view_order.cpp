@@ -1,4 +1,4 @@
-#include "techniques/draw/view_order.h"
+#include "techniques/draw/views/view_order.h"
 
 #include <algorithm>
 #include <tuple>

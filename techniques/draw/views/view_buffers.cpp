@@ -1,9 +1,9 @@
-#include "techniques/draw/view_buffers.h"
+#include "techniques/draw/views/view_buffers.h"
 
 #include <algorithm>
 
 #include "shaders/common/shared_slots.h"
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 #include "techniques/scene/light_data.h"
 
 namespace sb {

@@ -1,9 +1,9 @@
-#include "techniques/draw/light_views.h"
+#include "techniques/draw/fit/light_views.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/draw/light_fit.h"
+#include "techniques/draw/fit/light_fit.h"
 #include "techniques/scene/light_data.h"
 
 namespace sb {

@@ -1,4 +1,4 @@
-#include "techniques/draw/view_instances.h"
+#include "techniques/draw/views/view_instances.h"
 
 #include <algorithm>
 

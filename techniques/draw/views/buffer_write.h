@@ -22,7 +22,7 @@ inline BufferWrite uploadsTo(rhi::Device& device) {
 /// Within a frame, between passes.
 inline BufferWrite writesTo(rhi::CommandList& commands) {
   return [&commands](rhi::BufferId buffer, uint64_t at, std::span<const std::byte> bytes) {
-    if (!bytes.empty()) commands.write(buffer, at, bytes);
+    commands.write(buffer, at, bytes);
   };
 }
 

@@ -1,4 +1,4 @@
-#include "techniques/draw/pipeline_cache.h"
+#include "techniques/draw/frame/pipeline_cache.h"
 
 #include <chrono>
 

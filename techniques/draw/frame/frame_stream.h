@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "techniques/draw/frame.h"
+#include "techniques/draw/frame/frame.h"
 
 namespace sb {
 

@@ -1,20 +1,15 @@
-#include "techniques/draw/view_path.h"
+#include "techniques/draw/fit/view_path.h"
 
 #include <algorithm>
-#include <iterator>
 #include <tuple>
+
+#include "techniques/plan/scene_order.h"
 
 namespace sb {
 namespace {
 
 // Views are fitted light by light, face by face; both lists are in scene order.
 std::tuple<uint32_t, uint32_t> placeOf(const LightView& view) { return {view.light, view.face}; }
-
-void addAll(std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
-  std::vector<uint32_t> both;
-  std::ranges::set_union(to, from, std::back_inserter(both));
-  to = std::move(both);
-}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-#include "techniques/draw/scene_view.h"
+#include "techniques/draw/views/scene_view.h"
 
 #include <cassert>
 
