@@ -52,9 +52,8 @@ class RayScene {
     double ownNear = 0;
     glm::dvec3 passed = glm::dvec3(0);
   };
-  using PacketHits = std::array<std::vector<TruthHit>, kPacket>;
-  /// `passed` of up to kPacket rays, which are best neighbours.
-  void pass(std::span<ShadowRay> rays, PacketHits& scratch) const;
+  /// `passed` of many rays; cheaper if those that follow one another are neighbours.
+  void pass(std::span<ShadowRay> rays, Bvh::PacketHits& scratch) const;
   /// Does the triangle neither shadow the point nor anything else in its plane?
   bool isOwn(uint32_t triangle, const Tracer::Point& point) const {
     return triangle == point.triangle || holds(triangle, point);
@@ -97,11 +96,24 @@ class RayScene {
   struct Plane {
     glm::dvec3 normal, ulp;
   };
-  void aimCameraRay(double x, double y, TruthRay& ray) const;
+  TruthRay cameraRay(double x, double y) const;
   Bvh::Verdict judgeForCamera(const TruthHit& hit) const;
   /// Of what a camera ray met, leaves what the eye sees.
   void endCameraHits(CameraHits& hits) const;
-  class Shadow;
+  /// What a point, known to `ulp`, may be off a plane that holds it.
+  static double knownTo(const Plane& plane, const glm::dvec3& ulp) {
+    return 16 * glm::dot(glm::abs(plane.normal), ulp + plane.ulp);
+  }
+  /// From where on triangles stop shadow rays whatever else holds (Bvh).
+  std::vector<double> blockingHeights() const;
+  class CameraRays;
+  class ShadowRays;
+  static TruthRay shadowRay(const Tracer::Point& point, const Target& target, bool stopsUnasked);
+  Bvh::Verdict judgeForLight(const Tracer::Point& point, const Target& target, double ownNear,
+                             const TruthHit& hit) const;
+  /// What a shadow ray that nothing stopped brings along.
+  glm::dvec3 passedThrough(const Tracer::Point& point, const Target& target,
+                           std::span<const TruthHit> hits) const;
   Facet facet(uint32_t triangle) const;
   /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
   bool sameSurface(const TruthHit& a, const TruthHit& b, double range) const;
