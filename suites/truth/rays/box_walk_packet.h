@@ -14,6 +14,8 @@ namespace {
   return reinterpret_cast<const Doubles*>(values)[h];
 }
 
+constexpr uint32_t kAll = (1u << kPacket) - 1;
+
 /// Rays of a packet whose directions have the same signs and the same largest component. Places
 /// without one repeat the first.
 struct Bundle {
@@ -34,7 +36,8 @@ struct Bundle {
     for (uint32_t h = 0; h < 2; ++h) {
       const uint32_t places = rays >> (h * kLanes);
       const Longs here = lanes(places);
-      const auto of = [&](const double* values) {
+      const auto of = [&](const double* values) __attribute__((always_inline)) {
+        if (rays == kAll) return half(values, h);
         return here ? half(values, h) : Doubles{} + values[first];
       };
       const Doubles dz = of(packet.direction[k.z]), tMax = of(packet.tMax);

@@ -55,8 +55,11 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
   }
   for (const Instance& instance : scene.instances)
     m_instanceTraits.push_back(&m_traits[scene.meshes[instance.mesh].material]);
+  m_evenTransmittance.resize(scene.instances.size());
   m_planes.reserve(m_triangles.size());
   for (const TruthTriangle& t : m_triangles) {
+    const Surface surface(scene, m_traits, t, {});
+    if (t.number == 0 && surface.isEven()) m_evenTransmittance[t.instance] = surface.transmittance();
     const Facet f = facetOf(scene, t.instance, t.number, eye);
     m_planes.push_back({f.normal, f.ulp});
   }
@@ -74,6 +77,11 @@ std::vector<double> RayScene::blockingHeights() const {
   for (uint32_t i = 0; i < m_triangles.size(); ++i)
     heights.push_back(traits(i).blocks ? knownTo(m_planes[i], ulp) : HUGE_VAL);
   return heights;
+}
+
+dvec3 RayScene::transmittance(const TruthHit& hit) const {
+  const auto& even = m_evenTransmittance[m_triangles[hit.triangle].instance];
+  return even ? *even : surface(hit).transmittance();
 }
 
 Surface RayScene::surface(const TruthHit& hit) const {
