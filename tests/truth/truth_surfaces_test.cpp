@@ -47,6 +47,20 @@ TEST(TruthSurfaces, HolesOfAMaskPassLightAndSight) {
   EXPECT_EQ(red(below, 0, 40, 32), 0);
 }
 
+TEST(TruthSurfaces, ColoursOfVerticesLetPassWhatTheyDoWhereTheyAre) {
+  Scene scene = floorScene();
+  Material pane = matte();
+  pane.alphaMode = AlphaMode::Blend;
+  pane.baseColor = {0, 0, 0, 0.8f};
+  Mesh quad = quadMesh(add(scene, pane), {0, 0.25f, 0}, {0, 0, 2}, {2, 0, 0});
+  for (const glm::vec3& p : quad.positions) quad.colors.push_back({1, 1, 1, p.x / 4 + 0.5f});
+  place(scene, add(scene, quad));
+  const Truth t = traced(scene);
+  const float left = red(t, 0, 24, 32), right = red(t, 0, 39, 32);
+  EXPECT_GT(left, right + 0.1f);
+  EXPECT_NEAR(left + right, 2 - 0.8, 1e-5);
+}
+
 TEST(TruthSurfaces, BackFacesAreSeenOnlyOfDoubleSidedAndTranslucentSurfaces) {
   for (const int kind : {0, 1, 2}) {
     Scene scene = floorScene();

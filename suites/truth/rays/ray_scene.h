@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "shaders/common/shared_shading.h"
 #include "suites/truth/media/media.h"
