@@ -5,6 +5,7 @@
 
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/lights/sampler.h"
+#include "tests/truth/area_scenes.h"
 #include "tests/truth/ray_soup.h"
 
 namespace sb {
@@ -145,6 +146,22 @@ TEST(TruthStopping, ATriangleThatARayStartsOnDoesNotStopIt) {
     EXPECT_FALSE(together.stopped[0]);
     EXPECT_TRUE(together.hits[0].empty());
   }
+}
+
+TEST(TruthStopping, WhatMayBeTheReceiversOwnIsAsked) {
+  Scene scene = under(sphere({0, 4, 0}, 0.5));
+  addStrip(scene, 1, 0, 9);
+  const RayScene rays(scene, 8, 8);
+  const LightVisibility lights(rays);
+  LightVisibility::Scratch scratch;
+  const Tracer::Point point{.position = dvec3(0, -0.5, 0),
+                            .normal = dvec3(0, 1, 0),
+                            .instance = 1,  // the strip
+                            .triangle = 0,
+                            .translucent = false};
+  const AreaSampling sampling{.first = 64, .most = 64};
+  EXPECT_EQ(lights.ask(0, point, sampling, scratch, 10).visible, dvec3(1));
+  EXPECT_NEAR(lights.ask(0, point, sampling, scratch).visible.x, 0.5, 0.1);
 }
 
 TEST(TruthStopping, ShadowRaysBringTheSameTogetherAsAlone) {
