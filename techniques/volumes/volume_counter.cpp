@@ -68,7 +68,7 @@ void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volume
   for (const rhi::CullMode cull : culls())
     for (const CasterVolume& volume : light.casters)
       for (const uint32_t part : volume.parts)
-        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), volume, part);
+        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), light, volume, part);
 }
 
 }  // namespace sb
