@@ -18,8 +18,8 @@ constexpr double kJump = 1.0 / 64;     ///< of visibility
 /// In a penumbra: what changes by less within half a pixel is a slope, not an edge. Narrower
 /// penumbrae lie between positions that are exact.
 constexpr double kSteep = 0.25;
-/// Pixels that are traced together, a side: eight that follow one another are four by two, whose rays
-/// stay closer together than those of a row.
+/// Pixels that are traced together, a side: eight that follow one another are four by two, whose
+/// rays stay closer together than those of a row.
 constexpr uint32_t kTile = 8;
 constexpr int kDilate = 2;             ///< pixels
 
@@ -117,7 +117,8 @@ class Tracing {
     std::vector<Sampler> centres, beside;  ///< one and four a pixel
   };
 
-  /// From a corner on; what sticks out of the picture is left out. Gives the largest standard error.
+  /// From a corner on; what sticks out of the picture is left out. Gives the largest standard
+  /// error.
   double traceTile(uint32_t x0, uint32_t y0, Samplers& samplers) {
     std::vector<size_t> pixels;
     std::vector<glm::dvec2> middles, corners;

@@ -56,7 +56,8 @@ inline std::vector<TruthTriangle> grid(int size) {
   return list;
 }
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A ray that ends nowhere ends there.
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 inline std::vector<BoxWalks> allWalks() {
   std::vector<BoxWalks> walks = {baselineWalks()};
@@ -68,7 +69,10 @@ inline std::vector<BoxWalks> allWalks() {
 class RaysTogether {
  public:
   RaysTogether(std::span<const TruthRay> rays, Bvh::Judge judge)
-      : hits(rays.size()), stopped(rays.size()), ended(rays.size()), m_rays(rays),
+      : hits(rays.size()),
+        stopped(rays.size()),
+        ended(rays.size()),
+        m_rays(rays),
         m_judge(std::move(judge)) {}
   void find(const Bvh& bvh, const BoxWalks& walks) {
     Bvh::PacketHits scratch;

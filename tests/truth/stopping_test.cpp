@@ -1,6 +1,6 @@
-// Triangles that stop rays unasked (TriangleLeaf::clear): only where asking would have stopped them,
-// and nearly everywhere there; shadow rays bring along the same whether they walk together, where
-// that is done, or alone, where it is not.
+// Triangles that stop rays unasked (TriangleLeaf::clear): only where asking would have stopped
+// them, and nearly everywhere there; shadow rays bring along the same whether they walk together,
+// where that is done, or alone, where it is not.
 #include <gtest/gtest.h>
 
 #include "suites/scenes/procedural/procedural.h"
@@ -27,10 +27,10 @@ struct Blockers {
 
   bool blocks(const TruthRay& ray, const TruthHit& hit) const {
     const double height = heights[hit.triangle];
-    if (height == kInfinity) return false;
+    if (height == kForever) return false;
     const TruthTriangle& t = triangles[hit.triangle];
     return !(heightOf(t, ray.origin) <= height) &&
-           !(ray.tMax < kInfinity && heightOf(t, ray.origin + ray.tMax * ray.direction) <= height);
+           !(ray.tMax < kForever && heightOf(t, ray.origin + ray.tMax * ray.direction) <= height);
   }
 };
 
@@ -72,12 +72,12 @@ Counts expectStops(const Blockers& b, const std::vector<TruthRay>& rays, double 
 TEST(TruthStopping, RaysAnywhereAreStoppedByWhatBlocksThem) {
   Pcg random(31);
   Blockers b{.triangles = soup(300, 1, 30), .heights = {}};
-  const double heights[] = {0, 1e-9, 0.05, kInfinity};
+  const double heights[] = {0, 1e-9, 0.05, kForever};
   for (size_t i = 0; i < b.triangles.size(); ++i) b.heights.push_back(heights[i % 4]);
   std::vector<TruthRay> rays;
   for (int i = 0; i < 3000; ++i) {
     TruthRay ray{.origin = randomPoint(random, 1), .direction = randomPoint(random, 1)};
-    ray.tMax = i % 2 ? 1 : kInfinity;
+    ray.tMax = i % 2 ? 1 : kForever;
     // To a corner, from a corner.
     const TruthTriangle& t = b.triangles[size_t(i) % b.triangles.size()];
     if (i % 5 == 1) ray.direction = t.corners[size_t(i) % 3] - ray.origin;
@@ -98,13 +98,14 @@ TEST(TruthStopping, EdgesAndBothEndsAreNotSure) {
   std::vector<TruthRay> rays;
   Pcg random(33);
   for (int i = 0; i < 4000; ++i) {
-    // From planes, edges, corners to others, and nearly: ends in a plane by less than the height, or
-    // by somewhat more.
+    // From planes, edges, corners to others, and nearly: ends in a plane by less than the height,
+    // or by somewhat more.
     const double off[] = {0, 0x1p-45, 0x1p-39, 0.25};
     const auto place = [&](int k) {
-      return glm::round(randomPoint(random, 2.4)) + off[k % 4] * glm::round(randomPoint(random, 1.4));
+      return glm::round(randomPoint(random, 2.4)) +
+             off[k % 4] * glm::round(randomPoint(random, 1.4));
     };
-    TruthRay ray{.origin = place(i), .direction = dvec3(0), .tMax = i % 3 ? 1 : kInfinity};
+    TruthRay ray{.origin = place(i), .direction = dvec3(0), .tMax = i % 3 ? 1 : kForever};
     ray.direction = place(i / 4) - ray.origin;
     if (ray.direction != dvec3(0)) rays.push_back(ray);
   }
@@ -122,7 +123,7 @@ TEST(TruthStopping, JustBehindAndJustBeforeAreNoHits) {
         const std::vector<TruthRay> rays = {
             {.origin = far, .direction = near - far, .tMax = 1},
             {.origin = near, .direction = far - near, .tMax = 1},
-            {.origin = near, .direction = far - near, .tMax = kInfinity},
+            {.origin = near, .direction = far - near, .tMax = kForever},
             {.origin = far, .direction = (near - far) * 4.0, .tMax = 0.25}};
         const auto crossed = size_t(sign * z * side < 0);
         EXPECT_EQ(expectStops(b, rays, 9, true).stopped, allWalks().size() * rays.size() * crossed)

@@ -62,7 +62,7 @@ TEST(TruthWalks, RaysAnywhereMeetTheSame) {
       rays.push_back(
           {.origin = randomPoint(random, scale),
            .direction = i % 3 ? randomPoint(random, i % 2 ? 1 : 1e-5) : degenerate(random, i / 3),
-           .tMax = kInfinity});
+           .tMax = kForever});
     EXPECT_GT(expectSame(triangles, rays, scale, keepAll), 700u) << scale;
   }
 }
@@ -76,7 +76,7 @@ TEST(TruthWalks, NeighboursMeetTheSame) {
     for (int i = 0; i < 8; ++i) {
       // From a point, parallel from a patch, from a patch to a point.
       const dvec3 off = randomPoint(random, 0.02);
-      TruthRay ray{.origin = origin, .direction = direction, .tMax = bundle % 2 ? kInfinity : 0.7};
+      TruthRay ray{.origin = origin, .direction = direction, .tMax = bundle % 2 ? kForever : 0.7};
       if (bundle % 3 != 0) ray.origin += off;
       if (bundle % 3 == 0) ray.direction += off;
       if (bundle % 3 == 2) ray.direction -= off;
@@ -93,7 +93,7 @@ TEST(TruthWalks, RaysOfAllDirectionsWalkBesideOneAnother) {
   std::vector<TruthRay> rays;
   for (int i = 0; i < 64; ++i)
     rays.push_back(
-        {.origin = randomPoint(random, 1), .direction = randomPoint(random, 1), .tMax = kInfinity});
+        {.origin = randomPoint(random, 1), .direction = randomPoint(random, 1), .tMax = kForever});
   // One is infinitely short, one has no direction at all.
   rays[11].tMax = 0;
   rays[21].direction = dvec3(0);
@@ -130,7 +130,7 @@ TEST(TruthWalks, RaysInPlanesAlongEdgesAndThroughCornersMeetTheSame) {
   std::vector<TruthRay> rays;
   for (int i = 0; i < 900; ++i) {
     const dvec3 from = glm::round(randomPoint(random, 4)), to = glm::round(randomPoint(random, 4));
-    TruthRay ray{.origin = from, .direction = to - from, .tMax = i % 2 ? 1 : kInfinity};
+    TruthRay ray{.origin = from, .direction = to - from, .tMax = i % 2 ? 1 : kForever};
     if (ray.direction == dvec3(0)) continue;
     if (i % 3 == 1) ray.origin += dvec3(0.5, 0, 0.25), ray.direction *= dvec3(1, -0.0, 0);
     if (i % 3 == 2) ray.direction += randomPoint(random, 1e-12);
@@ -148,7 +148,7 @@ TEST(TruthWalks, WhatStopsAndWhatIsNearestEndsEachRayForItself) {
     if (i % 8 == 0)
       rays.push_back({.origin = randomPoint(random, 1),
                       .direction = randomPoint(random, 1),
-                      .tMax = kInfinity});
+                      .tMax = kForever});
     else
       rays.push_back(rays.back());
     rays.back().direction += randomPoint(random, 1e-2);
@@ -169,7 +169,7 @@ TEST(TruthWalks, ARayDoesNotMeetTheTriangleItStartsOn) {
   const auto own = uint32_t(triangles.size() - 1);
   const Bvh bvh(triangles, 10);
   const TruthRay ray{
-      .origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = kInfinity, .own = own};
+      .origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = kForever, .own = own};
   TruthRay other = ray;
   other.own = kNone;
   const TruthRay both[] = {ray, other};

@@ -26,8 +26,7 @@ dvec3 RayScene::passedThrough(const Tracer::Point& point, const Target& target,
   if (m_media.empty()) return passed;
   const TruthRay ray = shadowRay(point, target, false);
   const double length = glm::length(ray.direction);
-  return passed *
-         m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
+  return passed * m_media.transmittance({ray.origin, ray.direction / length, 0, ray.tMax * length});
 }
 
 dvec3 RayScene::passed(const Tracer::Point& point, const Target& target,

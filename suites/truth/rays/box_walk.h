@@ -12,7 +12,7 @@ namespace sb {
 constexpr uint32_t kBoxes = 8;          ///< children of a node
 constexpr uint32_t kLeafTriangles = 4;  ///< of a leaf
 constexpr uint32_t kLeafChild = 1u << 31;
-constexpr uint32_t kNoTriangle = ~0u;   ///< in places of a leaf without one
+constexpr uint32_t kNoTriangle = ~0u;  ///< in places of a leaf without one
 constexpr uint32_t kTreeDepth = 40;
 constexpr uint32_t kPacket = 8;  ///< rays that walk together
 
@@ -24,8 +24,8 @@ struct alignas(64) BoxNode {
 
 struct alignas(64) TriangleLeaf {
   double corner[3][3][kLeafTriangles];  ///< [corner][axis][triangle]; NaN in places without one
-  /// A ray that is stopped by whatever blocks it is stopped for sure if its beginning and its end lie
-  /// farther from the triangle's plane: heights times twice the triangle's area.
+  /// A ray that is stopped by whatever blocks it is stopped for sure if its beginning and its end
+  /// lie farther from the triangle's plane: heights times twice the triangle's area.
   float clear[kLeafTriangles];
   uint32_t triangle[kLeafTriangles];
 };

@@ -48,8 +48,9 @@ struct Bundle {
       half(oz, h) = of(packet.origin[k.z]);
       half(length, h) = absolute(dz);
       // A way that is infinite is far longer than any that ends.
-      half(span, h) = lanes(packet.unasked >> (h * kLanes)) ? dz * smaller(tMax, Doubles{} + 0x1p500)
-                                                            : Doubles{};
+      half(span, h) = lanes(packet.unasked >> (h * kLanes))
+                          ? dz * smaller(tMax, Doubles{} + 0x1p500)
+                          : Doubles{};
       const auto floats = [h](float* values) -> FourFloats& {
         return reinterpret_cast<FourFloats*>(values)[h];
       };
@@ -77,7 +78,8 @@ class BoxFilter {
       m_near[axis] = back ? axis + 3 : axis;
       m_far[axis] = back ? axis : axis + 3;
       const Interval origin(floats(b.origin[axis])), inverse(floats(b.inverse[axis]));
-      // Boxes are entered soonest from the origins nearest to them, and left last from the farthest.
+      // Boxes are entered soonest from the origins nearest to them, and left last from the
+      // farthest.
       m_soonest[axis] = back ? origin.low : origin.high;
       m_latest[axis] = back ? origin.high : origin.low;
       m_low[axis] = inverse.low, m_high[axis] = inverse.high;
@@ -131,9 +133,13 @@ class BundleWalk {
  public:
   BundleWalk(const BoxTreeView& tree, WalkPacket& packet, uint32_t rays, int largest,
              PacketCandidate candidate, void* search)
-      : m_tree(tree), m_packet(packet), m_bundle(packet, rays, largest, tree.margin),
-        m_boxes(m_bundle), m_candidate(candidate),
-        m_search(search), m_walking(rays) {}
+      : m_tree(tree),
+        m_packet(packet),
+        m_bundle(packet, rays, largest, tree.margin),
+        m_boxes(m_bundle),
+        m_candidate(candidate),
+        m_search(search),
+        m_walking(rays) {}
 
   void walk() {
     m_end = Interval(ends()).high;
@@ -147,7 +153,7 @@ class BundleWalk {
         enter(m_tree.nodes[entry.child], entering);
       else if (test(m_tree.leaves[entry.child & ~kLeafChild], entering)) {
         m_end = Interval(ends()).high;
-        m_walking = bits(ends() >= 0) ;
+        m_walking = bits(ends() >= 0);
         if (m_walking == 0) return;
       }
     }
@@ -202,8 +208,8 @@ class BundleWalk {
     const Sheared sheared(triangles(leaf), b.k, b.ox[r], b.oy[r], b.oz[r], b.sx[r], b.sy[r]);
     uint32_t met = sheared.candidates() & ~own(leaf, m_packet.own[r]);
     if (met == 0) return false;
-    const auto clear = __builtin_convertvector(
-        *reinterpret_cast<const FourFloats*>(leaf.clear), Doubles);
+    const auto clear =
+        __builtin_convertvector(*reinterpret_cast<const FourFloats*>(leaf.clear), Doubles);
     if ((met & sheared.stopping(Doubles{} + b.span[r], clear)) != 0) return stop(r);
     bool nearer = false;
     for (; met != 0 && b.ends[r] >= 0; met &= met - 1)
@@ -218,8 +224,8 @@ class BundleWalk {
                           half(b.sy, h));
     uint32_t met = sheared.candidates() << (h * kLanes) & entering;
     if (met == 0) return false;
-    const uint32_t stopping =
-        sheared.stopping(half(b.span, h), Doubles{} + double(leaf.clear[t])) << (h * kLanes);
+    const uint32_t stopping = sheared.stopping(half(b.span, h), Doubles{} + double(leaf.clear[t]))
+                              << (h * kLanes);
     bool nearer = false;
     for (; met != 0; met &= met - 1) {
       const auto r = uint32_t(__builtin_ctz(met));
@@ -264,8 +270,8 @@ struct Classes {
       const Doubles d[3] = {half(packet.direction[0], h), half(packet.direction[1], h),
                             half(packet.direction[2], h)};
       const Longs largest = largestOf(absolute(d[0]), absolute(d[1]), absolute(d[2]), Longs{});
-      *reinterpret_cast<Longs*>(of + h * kLanes) = largest | ((d[0] < 0) & 4) |
-                                                   ((d[1] < 0) & 8) | ((d[2] < 0) & 16);
+      *reinterpret_cast<Longs*>(of + h * kLanes) =
+          largest | ((d[0] < 0) & 4) | ((d[1] < 0) & 8) | ((d[2] < 0) & 16);
     }
   }
   uint32_t like(uint32_t ray) const {

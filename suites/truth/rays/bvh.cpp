@@ -16,9 +16,9 @@ double extentOf(const std::vector<TruthTriangle>& triangles, double reach) {
   return extent;
 }
 
-/// TriangleLeaf::clear. What doubles round off of volumes within the extent E, or of whether a point
-/// lies in a plane, is below 2^-42 E^3: edge functions are products of coordinates up to 4 E, each
-/// three roundings off, 2^-45 E^2; three of them are multiplied by 2 E.
+/// TriangleLeaf::clear. What doubles round off of volumes within the extent E, or of whether a
+/// point lies in a plane, is below 2^-42 E^3: edge functions are products of coordinates up to 4 E,
+/// each three roundings off, 2^-45 E^2; three of them are multiplied by 2 E.
 std::vector<float> clearOf(const std::vector<TruthTriangle>& triangles, double extent,
                            const std::vector<double>& heights) {
   if (heights.empty()) return std::vector(triangles.size(), HUGE_VALF);

@@ -18,7 +18,8 @@ struct TruthRay {
   double tMax = 0;       ///< may be infinite
   double tie = 0;        ///< hits so little behind the nearest that ends the ray are kept too
   uint32_t own = kNone;  ///< the triangle it starts on, which it does not meet
-  /// In a packet, a triangle that blocks it for sure (Bvh) stops it without being judged. tMin is 0.
+  /// In a packet, a triangle that blocks it for sure (Bvh) stops it without being judged. tMin is
+  /// 0.
   bool stopsUnasked = false;
 };
 
@@ -33,8 +34,8 @@ class Bvh {
  public:
   /// `triangles` must outlive the tree; `reach`: no ray starts or ends farther from zero than this,
   /// except to infinity. `heights`: of each triangle that blocks rays, how far from its plane both
-  /// ends of a ray have to lie (world units) for it to do so unasked; infinity, or no heights: it is
-  /// always asked. Throws std::runtime_error when Embree refuses.
+  /// ends of a ray have to lie (world units) for it to do so unasked; infinity, or no heights: it
+  /// is always asked. Throws std::runtime_error when Embree refuses.
   Bvh(const std::vector<TruthTriangle>& triangles, double reach,
       const std::vector<double>& heights = {});
 

@@ -59,7 +59,8 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
   m_planes.reserve(m_triangles.size());
   for (const TruthTriangle& t : m_triangles) {
     const Surface surface(scene, m_traits, t, {});
-    if (t.number == 0 && surface.isEven()) m_evenTransmittance[t.instance] = surface.transmittance();
+    if (t.number == 0 && surface.isEven())
+      m_evenTransmittance[t.instance] = surface.transmittance();
     const Facet f = facetOf(scene, t.instance, t.number, eye);
     m_planes.push_back({f.normal, f.ulp});
   }
