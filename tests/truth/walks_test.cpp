@@ -185,6 +185,25 @@ TEST(TruthWalks, ARayDoesNotMeetTheTriangleItStartsOn) {
   }
 }
 
+TEST(TruthWalks, EachRayOfAPacketHasATriangleOfItsOwn) {
+  const TruthTriangle wall{.corners = {dvec3(-9, -9, 1), dvec3(9, -9, 1), dvec3(0, 9, 1)}};
+  // More triangles in a leaf than rays, and fewer.
+  for (const size_t walls : {2u, 4u}) {
+    const std::vector<TruthTriangle> triangles(walls, wall);
+    const Bvh bvh(triangles, 10);
+    std::vector<TruthRay> rays(3, {.origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = 2});
+    for (uint32_t i = 0; i < 2; ++i) rays[i].own = i;
+    for (const BoxWalks& walks : allWalks()) {
+      RaysTogether together(rays, keepAll);
+      together.find(bvh, walks);
+      for (uint32_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(together.hits[i].size(), i < 2 ? walls - 1 : walls);
+        for (const TruthHit& hit : together.hits[i]) EXPECT_NE(hit.triangle, rays[i].own);
+      }
+    }
+  }
+}
+
 TEST(TruthWalks, TreesOfNothingOfOneAndOfTheSameOverAndOver) {
   std::vector<TruthRay> rays;
   Pcg random(3);
