@@ -66,6 +66,16 @@ gpu::OpticsData Surface::optics() const {
   return gpu::opticsOf(m_traits.packed, baseColor(), metallic(), transmission, thickness);
 }
 
+glm::dvec3 Surface::transmittance() const {
+  const gpu::OpticsData o = optics();
+  return 1.0 - double(o.alpha) * (1.0 - glm::dvec3(o.t));
+}
+
+bool Surface::isEven() const {
+  return m_mesh.colors.empty() && !has(TEXTURE_BASE_COLOR) && !has(TEXTURE_METALLIC_ROUGHNESS) &&
+         !has(TEXTURE_TRANSMISSION) && !has(TEXTURE_THICKNESS);
+}
+
 glm::vec3 Surface::shadingNormal(const glm::vec3& geometric) const {
   const glm::dmat3 linear(m_instance.toWorld);
   const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),

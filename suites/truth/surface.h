@@ -30,6 +30,10 @@ class Surface {
   const SurfaceTraits& traits() const { return m_traits; }
   /// For light and camera.
   gpu::OpticsData optics() const;
+  /// Share of light that passes.
+  glm::dvec3 transmittance() const;
+  /// Are optics the same everywhere on the mesh?
+  bool isEven() const;
   /// Linear, before lighting.
   glm::vec4 baseColor() const;
   /// Factor times texture.

@@ -18,7 +18,9 @@ constexpr double kJump = 1.0 / 64;     ///< of visibility
 /// In a penumbra: what changes by less within half a pixel is a slope, not an edge. Narrower
 /// penumbrae lie between positions that are exact.
 constexpr double kSteep = 0.25;
-constexpr uint32_t kRun = kPacket;     ///< pixels that are traced together
+/// Pixels that are traced together, a side: eight that follow one another are four by two, whose
+/// rays stay closer together than those of a row.
+constexpr uint32_t kTile = 8;
 constexpr int kDilate = 2;             ///< pixels
 
 /// Layer of the truth (0: first opaque) -> index into the sampler's layers, or none.
@@ -65,20 +67,15 @@ class Tracing {
 
   std::optional<Truth> run() {
     const auto start = std::chrono::steady_clock::now();
-    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, m_scene.height()), [&](const auto& range) {
-      std::vector<Sampler> centres(kRun, Sampler(m_scene, m_lights));
-      std::vector<Sampler> beside(4 * kRun, Sampler(m_scene, m_lights));
-      for (uint32_t y = range.begin(); y < range.end() && !interrupted(); ++y) {
-        double worst = 0;
-        for (uint32_t x = 0; x < m_scene.width(); x += kRun) {
-          const uint32_t count = std::min(kRun, m_scene.width() - x);
-          traceRun(x, y, std::span(centres).first(count), std::span(beside).first(4 * count),
-                   worst);
-        }
-        rowDone(worst);
+    const uint32_t across = tilesAlong(m_scene.width());
+    const uint32_t tiles = across * tilesAlong(m_scene.height());
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, tiles), [&](const auto& range) {
+      Samplers samplers(m_scene, m_lights);
+      for (uint32_t i = range.begin(); i < range.end() && !interrupted(); ++i) {
+        const double worst = traceTile(i % across * kTile, i / across * kTile, samplers);
+        tileDone(worst, tiles);
       }
-      for (const Sampler& s : centres) m_rays += s.rays();
-      for (const Sampler& s : beside) m_rays += s.rays();
+      m_rays += samplers.rays();
     });
     if (interrupted()) return {};
     for (auto& mask : m_truth.edges) {
@@ -97,34 +94,57 @@ class Tracing {
  private:
   bool interrupted() const { return m_settings.interrupted && m_settings.interrupted->load(); }
 
-  void rowDone(double worst) {
-    const uint32_t done = ++m_rows;
-    const std::lock_guard lock(m_rowDone);
+  static uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
+
+  void tileDone(double worst, uint32_t of) {
+    const uint32_t done = ++m_tiles;
+    const std::lock_guard lock(m_tileDone);
     m_truth.standardError = std::max(m_truth.standardError, worst);
-    if (!m_settings.progress) return;
-    m_settings.progress(double(done) / m_scene.height());
+    if (m_settings.progress) m_settings.progress(double(done) / of);
   }
 
-  /// Pixels side by side, from `x`. `worst`: largest standard error so far.
-  void traceRun(uint32_t x, uint32_t y, std::span<Sampler> centres, std::span<Sampler> beside,
-                double& worst) {
-    std::array<glm::dvec2, kRun> middles;
-    std::array<glm::dvec2, 4 * kRun> corners;
-    for (uint32_t i = 0; i < centres.size(); ++i) {
-      middles[i] = {x + i + 0.5, y + 0.5};
+  /// Of a tile's pixels.
+  struct Samplers {
+    Samplers(const RayScene& scene, const LightVisibility& lights)
+        : centres(kTile * kTile, Sampler(scene, lights)),
+          beside(4 * kTile * kTile, Sampler(scene, lights)) {}
+    uint64_t rays() const {
+      uint64_t rays = 0;
+      for (const Sampler& s : centres) rays += s.rays();
+      for (const Sampler& s : beside) rays += s.rays();
+      return rays;
+    }
+    std::vector<Sampler> centres, beside;  ///< one and four a pixel
+  };
+
+  /// From a corner on; what sticks out of the picture is left out. Gives the largest standard
+  /// error.
+  double traceTile(uint32_t x0, uint32_t y0, Samplers& samplers) {
+    std::vector<size_t> pixels;
+    std::vector<glm::dvec2> middles, corners;
+    for (uint32_t i = 0; i < kTile * kTile; ++i) {
+      // Bits of x and y in turn.
+      const uint32_t x = x0 + (i & 1) + (i >> 1 & 2) + (i >> 2 & 4);
+      const uint32_t y = y0 + (i >> 1 & 1) + (i >> 2 & 2) + (i >> 3 & 4);
+      if (x >= m_scene.width() || y >= m_scene.height()) continue;
+      pixels.push_back(size_t(y) * m_scene.width() + x);
+      const glm::dvec2& middle = middles.emplace_back(x + 0.5, y + 0.5);
       for (uint32_t c = 0; c < 4; ++c)
-        corners[4 * i + c] =
-            middles[i] + glm::dvec2(c & 1 ? kOffset : -kOffset, c & 2 ? kOffset : -kOffset);
+        corners.push_back(middle +
+                          glm::dvec2(c & 1 ? kOffset : -kOffset, c & 2 ? kOffset : -kOffset));
     }
-    Sampler::find(centres, std::span(middles).first(centres.size()), m_settings.sampling);
-    Sampler::find(beside, std::span(corners).first(beside.size()), m_coarse);
-    for (uint32_t i = 0; i < centres.size(); ++i) {
-      const size_t pixel = size_t(y) * m_scene.width() + x + i;
-      keep(centres[i], pixel, worst);
-      for (uint32_t c = 0; c < 4; ++c) compare(centres[i], beside[4 * i + c], pixel);
+    Sampler::find(std::span(samplers.centres).first(middles.size()), middles, m_settings.sampling);
+    Sampler::find(std::span(samplers.beside).first(corners.size()), corners, m_coarse);
+    double worst = 0;
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      keep(samplers.centres[i], pixels[i], worst);
+      for (size_t c = 0; c < 4; ++c)
+        compare(samplers.centres[i], samplers.beside[4 * i + c], pixels[i]);
     }
+    return worst;
   }
 
+  /// `worst`: largest standard error so far.
   void keep(Sampler& centre, size_t pixel, double& worst) {
     const glm::vec3 color = centre.color();
     for (size_t c = 0; c < 3; ++c) m_truth.image[4 * pixel + c] = color[int(c)];
@@ -198,8 +218,8 @@ class Tracing {
   std::vector<uint8_t> m_depthEdges =
       std::vector<uint8_t>(size_t(m_scene.width()) * m_scene.height(), 0);
   std::atomic<uint64_t> m_rays = 0;
-  std::atomic<uint32_t> m_rows = 0;
-  std::mutex m_rowDone;
+  std::atomic<uint32_t> m_tiles = 0;
+  std::mutex m_tileDone;
 };
 
 }  // namespace

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "suites/scenes/procedural/random.h"
-#include "suites/truth/rays/bvh.h"
+#include "suites/truth/rays/ray_packet.h"
 
 namespace sb::test {
 
@@ -54,6 +55,47 @@ inline std::vector<TruthTriangle> grid(int size) {
         }
   return list;
 }
+
+/// A ray that ends nowhere ends there.
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+inline std::vector<BoxWalks> allWalks() {
+  std::vector<BoxWalks> walks = {baselineWalks()};
+  if (hasAvx2()) walks.push_back(avx2Walks());
+  return walks;
+}
+
+/// Rays that walk together, and what they met.
+class RaysTogether {
+ public:
+  RaysTogether(std::span<const TruthRay> rays, Bvh::Judge judge)
+      : hits(rays.size()),
+        stopped(rays.size()),
+        ended(rays.size()),
+        m_rays(rays),
+        m_judge(std::move(judge)) {}
+  void find(const Bvh& bvh, const BoxWalks& walks) {
+    Bvh::PacketHits scratch;
+    bvh.hits(m_rays.size(), *this, scratch, walks);
+  }
+
+  std::vector<std::vector<TruthHit>> hits;
+  std::vector<bool> stopped;
+  std::vector<uint32_t> ended;  ///< how often each was
+
+  // As Bvh asks for them.
+  TruthRay ray(size_t i) const { return m_rays[i]; }
+  Bvh::Verdict judge(size_t, const TruthHit& hit) { return m_judge(hit); }
+  void end(size_t i, bool stops, std::vector<TruthHit>& found) {
+    hits[i].swap(found);
+    stopped[i] = stops;
+    ++ended[i];
+  }
+
+ private:
+  std::span<const TruthRay> m_rays;
+  Bvh::Judge m_judge;
+};
 
 inline bool same(const std::vector<TruthHit>& a, const std::vector<TruthHit>& b) {
   return std::ranges::equal(a, b, [](const TruthHit& x, const TruthHit& y) {

@@ -7,6 +7,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/media_field_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/media_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rays_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/stopping_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/texture_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_cache_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/truth_surfaces_test.cpp

@@ -2,6 +2,8 @@
 // around a lookup.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
@@ -45,6 +47,46 @@ TEST(TruthSurfaces, HolesOfAMaskPassLightAndSight) {
   const Truth below = traced(scene);
   EXPECT_EQ(red(below, 0, 24, 32), 1);
   EXPECT_EQ(red(below, 0, 40, 32), 0);
+}
+
+TEST(TruthSurfaces, ColoursOfVerticesLetPassWhatTheyDoWhereTheyAre) {
+  Scene scene = floorScene();
+  Material pane = matte();
+  pane.alphaMode = AlphaMode::Blend;
+  pane.baseColor = {0, 0, 0, 0.8f};
+  Mesh quad = quadMesh(add(scene, pane), {0, 0.25f, 0}, {0, 0, 2}, {2, 0, 0});
+  for (const glm::vec3& p : quad.positions) quad.colors.push_back({1, 1, 1, p.x / 4 + 0.5f});
+  place(scene, add(scene, quad));
+  const Truth t = traced(scene);
+  const float left = red(t, 0, 24, 32), right = red(t, 0, 39, 32);
+  EXPECT_GT(left, right + 0.1f);
+  EXPECT_NEAR(left + right, 2 - 0.8, 1e-5);
+}
+
+TEST(TruthSurfaces, TexturesLetPassWhatTheyDoWhereTheyAre) {
+  Scene scene = floorScene();
+  Material pane = halfMask(scene);
+  pane.alphaMode = AlphaMode::Blend;
+  Mesh quad = quadMesh(add(scene, pane), {0, 0.25f, 0}, {0, 0, 2}, {2, 0, 0});
+  quad.uv0.clear();
+  for (const glm::vec3& p : quad.positions) quad.uv0.push_back({p.x / 4 + 0.5f, 0.5f});
+  place(scene, add(scene, quad));
+  const Truth t = traced(scene);
+  EXPECT_EQ(red(t, 0, 24, 32), 1);
+  EXPECT_LT(red(t, 0, 40, 32), 0.9f);
+}
+
+TEST(TruthSurfaces, WhatLiesInOnePlaneAsFarAsFloatsTellDoesNotShadow) {
+  Scene scene;
+  const uint32_t material = add(scene, matte());
+  addHorizontal(scene, material, {0, 1, 0}, 4, 4);
+  addHorizontal(scene, material, {0, std::nextafter(1.0f, 2.0f), 0}, 4, 4);
+  scene.cameras.push_back(downCamera({0, 1.5, 0}, 4, 8));
+  addLight(scene, sun({0, -1, 0}));
+  const Truth t = traced(scene);
+  const Tracer tracer(scene, 64, 64);
+  EXPECT_EQ(tracer.pointAt(24, 32, 0)->instance, 0u) << "the lower one is the first of both";
+  EXPECT_EQ(red(t, 0, 24, 32), 1);
 }
 
 TEST(TruthSurfaces, BackFacesAreSeenOnlyOfDoubleSidedAndTranslucentSurfaces) {

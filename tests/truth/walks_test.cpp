@@ -12,42 +12,29 @@ namespace {
 
 using namespace test;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::vector<BoxWalks> allWalks() {
-  std::vector<BoxWalks> walks = {baselineWalks()};
-  if (hasAvx2()) walks.push_back(avx2Walks());
-  return walks;
-}
-
 /// Compares every way to find the hits of `rays`; returns how many there are.
 size_t expectSame(const std::vector<TruthTriangle>& triangles, const std::vector<TruthRay>& rays,
                   double reach, const Bvh::Judge& judge) {
   const Bvh bvh(triangles, reach);
   size_t found = 0;
-  std::array<std::vector<TruthHit>, kPacket> together;
   std::vector<TruthHit> expected, alone;
   for (const BoxWalks& walks : allWalks())
-    for (size_t first = 0, count = 1; first < rays.size(); first += count, count = count % 8 + 1) {
-      std::vector<const TruthRay*> packet;
-      for (size_t i = first; i < std::min(first + count, rays.size()); ++i)
-        packet.push_back(&rays[i]);
-      bvh.hits(
-          packet, [&](size_t, const TruthHit& hit) { return judge(hit); },
-          std::span(together).first(packet.size()), walks);
-      for (size_t i = 0; i < packet.size(); ++i) {
-        Bvh::hitsOfAll(triangles, *packet[i], judge, expected);
-        bvh.hits(*packet[i], judge, alone, walks);
+    for (size_t first = 0, count = 1; first < rays.size(); first += count, count = count % 20 + 1) {
+      const auto some = std::span(rays).subspan(first, std::min(count, rays.size() - first));
+      RaysTogether together(some, judge);
+      together.find(bvh, walks);
+      for (size_t i = 0; i < some.size(); ++i) {
+        Bvh::hitsOfAll(triangles, some[i], judge, expected);
+        bvh.hits(some[i], judge, alone, walks);
         // Which hit stops a search is not defined.
         const bool stops = expected.size() == 1 && judge(expected[0]) == Bvh::Verdict::Stop;
-        const auto agrees = [&](const std::vector<TruthHit>& hits) {
-          return stops ? hits.size() == 1 && judge(hits[0]) == Bvh::Verdict::Stop
-                       : same(hits, expected);
-        };
-        EXPECT_TRUE(agrees(alone))
+        EXPECT_TRUE(stops ? alone.size() == 1 && judge(alone[0]) == Bvh::Verdict::Stop
+                          : same(alone, expected))
             << "ray " << first + i << " alone: " << alone.size() << " of " << expected.size();
-        EXPECT_TRUE(agrees(together[i])) << "ray " << first + i << " of " << packet.size() << ": "
-                                         << together[i].size() << " of " << expected.size();
+        EXPECT_EQ(together.stopped[i], stops) << "ray " << first + i;
+        EXPECT_TRUE(stops || same(together.hits[i], expected))
+            << "ray " << first + i << " of " << some.size() << ": " << together.hits[i].size()
+            << " of " << expected.size();
         found += expected.size();
         if (testing::Test::HasFailure()) return found;
       }
@@ -75,7 +62,7 @@ TEST(TruthWalks, RaysAnywhereMeetTheSame) {
       rays.push_back(
           {.origin = randomPoint(random, scale),
            .direction = i % 3 ? randomPoint(random, i % 2 ? 1 : 1e-5) : degenerate(random, i / 3),
-           .tMax = kInfinity});
+           .tMax = kForever});
     EXPECT_GT(expectSame(triangles, rays, scale, keepAll), 700u) << scale;
   }
 }
@@ -89,7 +76,7 @@ TEST(TruthWalks, NeighboursMeetTheSame) {
     for (int i = 0; i < 8; ++i) {
       // From a point, parallel from a patch, from a patch to a point.
       const dvec3 off = randomPoint(random, 0.02);
-      TruthRay ray{.origin = origin, .direction = direction, .tMax = bundle % 2 ? kInfinity : 0.7};
+      TruthRay ray{.origin = origin, .direction = direction, .tMax = bundle % 2 ? kForever : 0.7};
       if (bundle % 3 != 0) ray.origin += off;
       if (bundle % 3 == 0) ray.direction += off;
       if (bundle % 3 == 2) ray.direction -= off;
@@ -97,6 +84,29 @@ TEST(TruthWalks, NeighboursMeetTheSame) {
     }
   }
   EXPECT_GT(expectSame(triangles, rays, 1, keepAll), 1000u);
+}
+
+TEST(TruthWalks, RaysOfAllDirectionsWalkBesideOneAnother) {
+  const auto triangles = soup(300, 1, 15);
+  const Bvh bvh(triangles, 2);
+  Pcg random(16);
+  std::vector<TruthRay> rays;
+  for (int i = 0; i < 64; ++i)
+    rays.push_back(
+        {.origin = randomPoint(random, 1), .direction = randomPoint(random, 1), .tMax = kForever});
+  // One is infinitely short, one has no direction at all.
+  rays[11].tMax = 0;
+  rays[21].direction = dvec3(0);
+  std::vector<TruthHit> expected;
+  for (const BoxWalks& walks : allWalks()) {
+    RaysTogether together(rays, keepAll);
+    together.find(bvh, walks);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      Bvh::hitsOfAll(triangles, rays[i], keepAll, expected);
+      EXPECT_TRUE(same(together.hits[i], expected)) << i;
+      EXPECT_EQ(together.ended[i], 1u);
+    }
+  }
 }
 
 TEST(TruthWalks, TrianglesSmallerThanFloatsCanTellAreMet) {
@@ -120,7 +130,7 @@ TEST(TruthWalks, RaysInPlanesAlongEdgesAndThroughCornersMeetTheSame) {
   std::vector<TruthRay> rays;
   for (int i = 0; i < 900; ++i) {
     const dvec3 from = glm::round(randomPoint(random, 4)), to = glm::round(randomPoint(random, 4));
-    TruthRay ray{.origin = from, .direction = to - from, .tMax = i % 2 ? 1 : kInfinity};
+    TruthRay ray{.origin = from, .direction = to - from, .tMax = i % 2 ? 1 : kForever};
     if (ray.direction == dvec3(0)) continue;
     if (i % 3 == 1) ray.origin += dvec3(0.5, 0, 0.25), ray.direction *= dvec3(1, -0.0, 0);
     if (i % 3 == 2) ray.direction += randomPoint(random, 1e-12);
@@ -138,7 +148,7 @@ TEST(TruthWalks, WhatStopsAndWhatIsNearestEndsEachRayForItself) {
     if (i % 8 == 0)
       rays.push_back({.origin = randomPoint(random, 1),
                       .direction = randomPoint(random, 1),
-                      .tMax = kInfinity});
+                      .tMax = kForever});
     else
       rays.push_back(rays.back());
     rays.back().direction += randomPoint(random, 1e-2);
@@ -159,19 +169,38 @@ TEST(TruthWalks, ARayDoesNotMeetTheTriangleItStartsOn) {
   const auto own = uint32_t(triangles.size() - 1);
   const Bvh bvh(triangles, 10);
   const TruthRay ray{
-      .origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = kInfinity, .own = own};
+      .origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = kForever, .own = own};
   TruthRay other = ray;
   other.own = kNone;
-  const TruthRay* const both[] = {&ray, &other};
+  const TruthRay both[] = {ray, other};
   for (const BoxWalks& walks : allWalks()) {
-    std::array<std::vector<TruthHit>, 2> hits;
-    bvh.hits(
-        both, [](size_t, const TruthHit& hit) { return keepAll(hit); }, hits, walks);
+    RaysTogether together(both, keepAll);
+    together.find(bvh, walks);
+    const auto& hits = together.hits;
     const auto holds = [&](const std::vector<TruthHit>& list) {
       return std::ranges::any_of(list, [&](const TruthHit& h) { return h.triangle == own; });
     };
     EXPECT_FALSE(holds(hits[0]));
     EXPECT_TRUE(holds(hits[1]));
+  }
+}
+
+TEST(TruthWalks, EachRayOfAPacketHasATriangleOfItsOwn) {
+  const TruthTriangle wall{.corners = {dvec3(-9, -9, 1), dvec3(9, -9, 1), dvec3(0, 9, 1)}};
+  // More triangles in a leaf than rays, and fewer.
+  for (const size_t walls : {2u, 4u}) {
+    const std::vector<TruthTriangle> triangles(walls, wall);
+    const Bvh bvh(triangles, 10);
+    std::vector<TruthRay> rays(3, {.origin = dvec3(0), .direction = dvec3(0.1, 0.1, 1), .tMax = 2});
+    for (uint32_t i = 0; i < 2; ++i) rays[i].own = i;
+    for (const BoxWalks& walks : allWalks()) {
+      RaysTogether together(rays, keepAll);
+      together.find(bvh, walks);
+      for (uint32_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(together.hits[i].size(), i < 2 ? walls - 1 : walls);
+        for (const TruthHit& hit : together.hits[i]) EXPECT_NE(hit.triangle, rays[i].own);
+      }
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "suites/truth/lights/scrambles.h"
+#include "suites/truth/lights/shadow_rays.h"
 
 namespace sb {
 
@@ -60,10 +61,21 @@ class LightVisibility::Question {
     return at;
   }
   dvec3 toCentre() { return m_scene.passed(m_point, m_target, m_scratch.hits, m_ownNear); }
-  /// What reaches the point from up to kPacket targets, in place.
-  void pass(std::span<RayScene::ShadowRay> rays) {
-    for (RayScene::ShadowRay& ray : rays) ray.point = &m_point, ray.ownNear = m_ownNear;
-    m_scene.pass(rays, m_scratch.packet);
+  /// A place on the light, and what reaches the point from it.
+  struct Place {
+    Target target;
+    dvec3 passed = dvec3(0);
+  };
+  void pass(std::span<Place> places) {
+    struct {
+      const Question& question;
+      std::span<Place> places;
+      const Tracer::Point& point(size_t) const { return question.m_point; }
+      const Target& target(size_t i) const { return places[i].target; }
+      double ownNear() const { return question.m_ownNear; }
+      void end(size_t i, const dvec3& passed) { places[i].passed = passed; }
+    } rays{*this, places};
+    m_scene.pass(places.size(), rays, m_scratch.packet);
   }
 
   /// Finds what may be between. An answer if that is the same from everywhere on the light.
@@ -157,7 +169,7 @@ LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point
   if (question.patch().inside) return {.undefined = true};
   if (sampling.pattern > 0) {
     Answer answer{.visible = dvec3(0), .rays = sampling.pattern};
-    std::array<RayScene::ShadowRay, kPacket> rays;
+    std::array<Question::Place, kPacket> rays;
     for (uint32_t first = 0; first < sampling.pattern; first += kPacket) {
       const auto some = std::span(rays).first(std::min(kPacket, sampling.pattern - first));
       for (uint32_t i = 0; i < some.size(); ++i) {
@@ -165,13 +177,13 @@ LightVisibility::Answer LightVisibility::ask(uint32_t light, const Tracer::Point
         some[i].target = question.at(question.patch().round ? onDisc(square) : onSquare(square));
       }
       question.pass(some);
-      for (const RayScene::ShadowRay& ray : some) answer.visible += ray.passed;
+      for (const Question::Place& ray : some) answer.visible += ray.passed;
     }
     answer.visible /= double(sampling.pattern);
     return answer;
   }
   if (const auto all = even(question)) return {.visible = *all, .rays = 1};
-  std::array<RayScene::ShadowRay, kPacket> rays;
+  std::array<Question::Place, kPacket> rays;
   return estimate(
       sampling, question.patch(), true,
       [&](std::span<const glm::dvec2> places, std::span<dvec3> values, std::span<dvec3> full) {
@@ -187,22 +199,16 @@ void LightVisibility::ask(uint32_t light, std::span<const Query> queries,
     for (const Query& q : queries) *q.answer = ask(light, *q.point, sampling, scratch);
     return;
   }
-  std::array<RayScene::ShadowRay, kPacket> rays;
-  for (size_t first = 0; first < queries.size(); first += kPacket) {
-    const size_t count = std::min<size_t>(kPacket, queries.size() - first);
-    for (size_t i = 0; i < count; ++i) {
-      const Tracer::Point& point = *queries[first + i].point;
-      rays[i].point = &point;
-      rays[i].target = m_scene.target(light, point.position);
-    }
-    m_scene.pass(std::span(rays).first(count), scratch.packet);
-    for (size_t i = 0; i < count; ++i) {
-      Answer& answer = *queries[first + i].answer;
-      answer = {};
-      answer.visible = rays[i].passed;
-      answer.rays = 1;
-    }
-  }
+  struct {
+    const RayScene& scene;
+    uint32_t light;
+    std::span<const Query> queries;
+    const Tracer::Point& point(size_t i) const { return *queries[i].point; }
+    RayScene::Target target(size_t i) const { return scene.target(light, point(i).position); }
+    double ownNear() const { return 0; }
+    void end(size_t i, const dvec3& passed) { *queries[i].answer = {.visible = passed, .rays = 1}; }
+  } rays{m_scene, light, queries};
+  m_scene.pass(queries.size(), rays, scratch.packet);
 }
 
 LightVisibility::Answer LightVisibility::integrate(uint32_t light, const Tracer::Point& point,
@@ -218,7 +224,7 @@ LightVisibility::Answer LightVisibility::integrate(uint32_t light, const Tracer:
   if (largest(power) <= 0) return {.visible = dvec3(0)};
   const dvec3 facing = glm::normalize(glm::cross(patch.u, patch.v));
   const auto all = even(question);
-  std::array<RayScene::ShadowRay, kPacket> rays;
+  std::array<Question::Place, kPacket> rays;
   return estimate(
       sampling, patch, !all,
       [&](std::span<const glm::dvec2> places, std::span<dvec3> values, std::span<dvec3> full) {

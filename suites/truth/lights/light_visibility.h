@@ -27,7 +27,7 @@ class LightVisibility {
   /// What is needed for one answer after the other.
   struct Scratch {
     std::vector<TruthHit> hits;
-    RayScene::PacketHits packet;
+    Bvh::PacketHits packet;
     std::vector<uint32_t> between;
   };
   /// `ownNear`: RayScene::passed.

@@ -100,11 +100,15 @@ struct Building {
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
+// Rays in floats are off by half an ulp of the origin, and of the direction over twice the extent:
+// 2^-22 of the extent; boxes are wider by four times that.
+BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double extent,
+                 const std::vector<float>& clear)
+    : m_margin(extent * 0x1p-20) {
   if (triangles.empty()) return;
   std::vector<RTCBuildPrimitive> boxes;
   boxes.reserve(triangles.size());
-  for (uint32_t i = 0; i < triangles.size(); ++i) boxes.push_back(boxOf(triangles[i], i, margin));
+  for (uint32_t i = 0; i < triangles.size(); ++i) boxes.push_back(boxOf(triangles[i], i, m_margin));
   const Building building;
   m_leaves.reserve(triangles.size() / 2 +
                    1);  // hardly ever more, and what is not used costs nothing
@@ -115,7 +119,8 @@ BoxTree::BoxTree(const std::vector<TruthTriangle>& triangles, double margin) {
       TriangleLeaf& leaf = m_leaves.emplace_back();
       for (uint32_t t = 0; t < kLeafTriangles; ++t) {
         const bool present = t < built.triangles;
-        leaf.triangle[t] = present ? built.triangle[t] : 0;
+        leaf.triangle[t] = present ? built.triangle[t] : kNoTriangle;
+        leaf.clear[t] = present ? clear[leaf.triangle[t]] : HUGE_VALF;
         for (int c = 0; c < 3; ++c)
           for (int axis = 0; axis < 3; ++axis)
             leaf.corner[c][axis][t] = present ? triangles[leaf.triangle[t]].corners[size_t(c)][axis]

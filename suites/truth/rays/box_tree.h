@@ -13,10 +13,11 @@ namespace sb {
 
 class BoxTree {
  public:
-  /// `margin`: by which boxes are widened, world units. Throws std::runtime_error when Embree
-  /// refuses.
-  BoxTree(const std::vector<TruthTriangle>& triangles, double margin);
-  BoxTreeView view() const { return {m_nodes.data(), m_leaves.data(), m_root}; }
+  /// `extent`: no coordinate, of rays neither, is larger. `clear`: TriangleLeaf, of each triangle.
+  /// Throws std::runtime_error when Embree refuses.
+  BoxTree(const std::vector<TruthTriangle>& triangles, double extent,
+          const std::vector<float>& clear);
+  BoxTreeView view() const { return {m_nodes.data(), m_leaves.data(), m_root, m_margin}; }
   bool empty() const { return m_leaves.empty(); }
   uint64_t bytes() const {
     return m_nodes.size() * sizeof(BoxNode) + m_leaves.size() * sizeof(TriangleLeaf);
@@ -26,6 +27,7 @@ class BoxTree {
   std::vector<BoxNode> m_nodes;
   std::vector<TriangleLeaf> m_leaves;
   uint32_t m_root = 0;
+  double m_margin;
 };
 
 }  // namespace sb

@@ -12,6 +12,7 @@ namespace sb {
 constexpr uint32_t kBoxes = 8;          ///< children of a node
 constexpr uint32_t kLeafTriangles = 4;  ///< of a leaf
 constexpr uint32_t kLeafChild = 1u << 31;
+constexpr uint32_t kNoTriangle = ~0u;  ///< in places of a leaf without one
 constexpr uint32_t kTreeDepth = 40;
 constexpr uint32_t kPacket = 8;  ///< rays that walk together
 
@@ -23,6 +24,9 @@ struct alignas(64) BoxNode {
 
 struct alignas(64) TriangleLeaf {
   double corner[3][3][kLeafTriangles];  ///< [corner][axis][triangle]; NaN in places without one
+  /// A ray that is stopped by whatever blocks it is stopped for sure if its beginning and its end
+  /// lie farther from the triangle's plane: heights times twice the triangle's area.
+  float clear[kLeafTriangles];
   uint32_t triangle[kLeafTriangles];
 };
 
@@ -30,36 +34,31 @@ struct BoxTreeView {
   const BoxNode* nodes;
   const TriangleLeaf* leaves;
   uint32_t root;  ///< as BoxNode::child
+  double margin;  ///< by which boxes are wider than what they hold
 };
 
-/// A ray as triangles meet it.
-struct WalkLine {
-  int kx, ky, kz;  ///< as ShearedRay
-  double ox, oy, oz, sx, sy;
+/// A ray from its origin to `tMax` times its direction.
+struct WalkRay {
+  double origin[3], direction[3];
+  double tMax;   ///< may be infinite
   uint32_t own;  ///< the triangle that is not asked for
 };
 
-/// Distances along it count in its largest component.
-struct WalkRay {
-  float origin[3];
-  float inverse[3];  ///< of the direction, finite
-  float end;
-  WalkLine line;
+/// Rays side by side. Those walk together whose directions, none of which is zero, have the same
+/// signs and the same largest component.
+struct alignas(64) WalkPacket {
+  double origin[3][kPacket], direction[3][kPacket];
+  double tMax[kPacket];
+  uint32_t own[kPacket];
+  uint32_t rays;     ///< a bit for each
+  uint32_t unasked;  ///< those that a triangle may stop unasked (TriangleLeaf::clear)
+  uint32_t stopped;  ///< those that one did: found by the walk
 };
 
-/// Rays whose directions have the same signs, side by side. In places without a ray: `end` is
-/// negative, origin and inverse are those of another.
-struct alignas(32) WalkPacket {
-  float origin[3][kPacket];
-  float inverse[3][kPacket];
-  float end[kPacket];  ///< negative: no ray there, or it ended
-  WalkLine lines[kPacket];
-};
-
-/// Asked for triangles that the ray's line meets: how far to walk on; negative ends the walk.
-using Candidate = float (*)(void* search, uint32_t triangle, float end);
+/// Asked for triangles that the ray's line meets: up to which t to walk on; negative ends the walk.
+using Candidate = double (*)(void* search, uint32_t triangle);
 /// The same for a ray of a packet.
-using PacketCandidate = float (*)(void* search, uint32_t ray, uint32_t triangle, float end);
+using PacketCandidate = double (*)(void* search, uint32_t ray, uint32_t triangle);
 
 /// The walks compiled for one set of instructions.
 struct BoxWalks {

@@ -1,7 +1,6 @@
 #include "suites/truth/rays/bvh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "suites/truth/rays/ray_search.h"
@@ -9,131 +8,63 @@
 namespace sb {
 namespace {
 
-double marginOf(const std::vector<TruthTriangle>& triangles, double reach) {
+double extentOf(const std::vector<TruthTriangle>& triangles, double reach) {
   double extent = reach;
   for (const TruthTriangle& t : triangles)
     for (const glm::dvec3& p : t.corners)
       extent = std::max(extent, std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
-  // Half an ulp of the origin, and of the direction over twice the extent: 2^-22 of the extent;
-  // four times that.
-  return extent * 0x1p-20;
+  return extent;
 }
 
-/// Which of its components are negative.
-uint32_t signsOf(const glm::dvec3& d) {
-  return uint32_t(std::signbit(d.x)) | uint32_t(std::signbit(d.y)) << 1 |
-         uint32_t(std::signbit(d.z)) << 2;
+/// TriangleLeaf::clear. What doubles round off of volumes within the extent E, or of whether a
+/// point lies in a plane, is below 2^-42 E^3: edge functions are products of coordinates up to 4 E,
+/// each three roundings off, 2^-45 E^2; three of them are multiplied by 2 E.
+std::vector<float> clearOf(const std::vector<TruthTriangle>& triangles, double extent,
+                           const std::vector<double>& heights) {
+  if (heights.empty()) return std::vector(triangles.size(), HUGE_VALF);
+  std::vector<float> clear;
+  clear.reserve(triangles.size());
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    const auto& c = triangles[i].corners;
+    const double area = glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+    const double volume = 2 * area * heights[i] + 0x1p-38 * extent * extent * extent;
+    clear.push_back(std::nextafter(float(volume), HUGE_VALF));
+  }
+  return clear;
 }
-
-/// Rays that walk together: neighbours of one another in the order in which they come, with
-/// directions of the same signs.
-class Packet {
- public:
-  Packet(const std::vector<TruthTriangle>& triangles, const BoxTree& tree, double margin,
-         const BoxWalks& walks, const Bvh::PacketJudge& judge)
-      : m_triangles(triangles), m_tree(tree), m_margin(margin), m_walks(walks), m_judge(judge) {}
-
-  void add(size_t number, const TruthRay& ray, std::vector<TruthHit>& hits) {
-    const uint32_t signs = signsOf(ray.direction);
-    if (signs != m_signs) walk();
-    m_signs = signs;
-    // To the sun all rays run alike.
-    if (!m_heading.isThatOf(ray.direction)) m_heading = Heading(ray.direction);
-    RaySearch& search = m_searches[m_count];
-    search.begin(m_triangles, ray, m_heading, m_margin, m_packet.lines[m_count], hits);
-    m_numbers[m_count] = number;
-    for (int axis = 0; axis < 3; ++axis) {
-      m_packet.origin[axis][m_count] = float(ray.origin[axis]);
-      m_packet.inverse[axis][m_count] = m_heading.inverse[axis];
-    }
-    m_packet.end[m_count] = search.end();
-    if (++m_count == kPacket) walk();
-  }
-  /// Walks with those that were added.
-  void walk() {
-    if (m_count == 0) return;
-    for (uint32_t r = m_count; r < kPacket; ++r) {
-      for (int axis = 0; axis < 3; ++axis) {
-        m_packet.origin[axis][r] = m_packet.origin[axis][0];
-        m_packet.inverse[axis][r] = m_packet.inverse[axis][0];
-      }
-      m_packet.end[r] = -1;
-    }
-    m_walks.packet(
-        m_tree.view(), m_packet,
-        [](void* self, uint32_t ray, uint32_t triangle, float before) {
-          Packet& p = *static_cast<Packet*>(self);
-          RaySearch& search = p.m_searches[ray];
-          search.test(triangle,
-                      [&](const TruthHit& hit) { return p.m_judge(p.m_numbers[ray], hit); });
-          return search.walkedEnd(before);
-        },
-        this);
-    for (uint32_t r = 0; r < m_count; ++r) m_searches[r].finish();
-    m_count = 0;
-  }
-
- private:
-  const std::vector<TruthTriangle>& m_triangles;
-  const BoxTree& m_tree;
-  const double m_margin;
-  const BoxWalks& m_walks;
-  const Bvh::PacketJudge& m_judge;
-  std::array<RaySearch, kPacket> m_searches;
-  std::array<size_t, kPacket> m_numbers;
-  WalkPacket m_packet;
-  Heading m_heading;  ///< of the last one
-  uint32_t m_signs = 0;
-  uint32_t m_count = 0;
-};
 
 }  // namespace
 
-Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach)
-    : m_triangles(triangles), m_margin(marginOf(triangles, reach)), m_tree(triangles, m_margin) {}
+Bvh::Bvh(const std::vector<TruthTriangle>& triangles, double reach,
+         const std::vector<double>& heights)
+    : Bvh(triangles, heights, extentOf(triangles, reach)) {}
+
+Bvh::Bvh(const std::vector<TruthTriangle>& triangles, const std::vector<double>& heights,
+         double extent)
+    : m_triangles(triangles), m_tree(triangles, extent, clearOf(triangles, extent, heights)) {}
 
 void Bvh::hits(const TruthRay& ray, const Judge& judge, std::vector<TruthHit>& out,
                const BoxWalks& walks) const {
   struct Context {
     RaySearch search;
     const Judge& judge;
-  } context{{}, judge};
-  const Heading heading(ray.direction);
-  WalkRay walked;
-  context.search.begin(m_triangles, ray, heading, m_margin, walked.line, out);
+  } context{{m_triangles, ray, out}, judge};
   if (m_tree.empty()) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    walked.origin[axis] = float(ray.origin[axis]);
-    walked.inverse[axis] = heading.inverse[axis];
-  }
-  walked.end = context.search.end();
+  const glm::dvec3 &o = ray.origin, &d = ray.direction;
   walks.ray(
-      m_tree.view(), walked,
-      [](void* self, uint32_t triangle, float before) {
+      m_tree.view(), {{o.x, o.y, o.z}, {d.x, d.y, d.z}, ray.tMax, ray.own},
+      [](void* self, uint32_t triangle) {
         Context& c = *static_cast<Context*>(self);
         c.search.test(triangle, c.judge);
-        return c.search.walkedEnd(before);
+        return c.search.walkTo();
       },
       &context);
   context.search.finish();
 }
 
-void Bvh::hits(std::span<const TruthRay* const> rays, const PacketJudge& judge,
-               std::span<std::vector<TruthHit>> out, const BoxWalks& walks) const {
-  Packet packet(m_triangles, m_tree, m_margin, walks, judge);
-  for (size_t i = 0; i < rays.size(); ++i)
-    if (m_tree.empty())
-      out[i].clear();
-    else
-      packet.add(i, *rays[i], out[i]);
-  packet.walk();
-}
-
 void Bvh::hitsOfAll(const std::vector<TruthTriangle>& triangles, const TruthRay& ray,
                     const Judge& judge, std::vector<TruthHit>& out) {
-  RaySearch search;
-  WalkLine line;
-  search.begin(triangles, ray, Heading(ray.direction), 0, line, out);
+  RaySearch search(triangles, ray, out);
   for (uint32_t i = 0; i < triangles.size(); ++i)
     if (i != ray.own) search.test(i, judge);
   search.finish();

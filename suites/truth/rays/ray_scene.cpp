@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "suites/truth/rays/ray_packet.h"
+
 namespace sb {
 namespace {
 
@@ -53,25 +55,45 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
   }
   for (const Instance& instance : scene.instances)
     m_instanceTraits.push_back(&m_traits[scene.meshes[instance.mesh].material]);
+  m_evenTransmittance.resize(scene.instances.size());
   m_planes.reserve(m_triangles.size());
   for (const TruthTriangle& t : m_triangles) {
+    const Surface surface(scene, m_traits, t, {});
+    if (t.number == 0 && surface.isEven())
+      m_evenTransmittance[t.instance] = surface.transmittance();
     const Facet f = facetOf(scene, t.instance, t.number, eye);
     m_planes.push_back({f.normal, f.ulp});
   }
   m_reach = extentOf(m_triangles, m_lightPositions);
   const Camera& c = scene.camera();
   const double picture = c.orthographic ? c.halfHeight * (1 + double(width) / height) : 0;
-  m_bvh = std::make_unique<Bvh>(m_triangles, std::max(m_reach, picture));
+  m_bvh = std::make_unique<Bvh>(m_triangles, std::max(m_reach, picture), blockingHeights());
+}
+
+std::vector<double> RayScene::blockingHeights() const {
+  dvec3 ulp(0);
+  for (const Plane& plane : m_planes) ulp = glm::max(ulp, plane.ulp);
+  std::vector<double> heights;
+  heights.reserve(m_triangles.size());
+  for (uint32_t i = 0; i < m_triangles.size(); ++i)
+    heights.push_back(traits(i).blocks ? knownTo(m_planes[i], ulp) : HUGE_VAL);
+  return heights;
+}
+
+dvec3 RayScene::transmittance(const TruthHit& hit) const {
+  const auto& even = m_evenTransmittance[m_triangles[hit.triangle].instance];
+  return even ? *even : surface(hit).transmittance();
 }
 
 Surface RayScene::surface(const TruthHit& hit) const {
   return {m_scene, m_traits, m_triangles[hit.triangle], hit};
 }
 
-void RayScene::aimCameraRay(double x, double y, TruthRay& ray) const {
+TruthRay RayScene::cameraRay(double x, double y) const {
   const Camera& c = m_scene.camera();
   const double aspect = double(m_width) / m_height;
   const double u = (2 * x / m_width - 1) * aspect, v = 2 * y / m_height - 1;
+  TruthRay ray{.tMin = c.nearPlane, .tMax = c.farPlane, .tie = kTieRange * m_reach};
   // The direction's depth is 1: t is the depth that near and far planes cut.
   if (c.orthographic) {
     ray.origin = m_cameraAxes * dvec3(u * c.halfHeight, v * c.halfHeight, 0);
@@ -80,14 +102,11 @@ void RayScene::aimCameraRay(double x, double y, TruthRay& ray) const {
     ray.origin = dvec3(0);
     ray.direction = m_cameraAxes * dvec3(u * m_cameraTangent, v * m_cameraTangent, -1);
   }
-  ray.tMin = c.nearPlane;
-  ray.tMax = c.farPlane;
-  ray.tie = kTieRange * m_reach;
+  return ray;
 }
 
 MediaField::Stretch RayScene::cameraStretch(double x, double y, double from, double to) const {
-  TruthRay ray;
-  aimCameraRay(x, y, ray);
+  const TruthRay ray = cameraRay(x, y);
   const double length = glm::length(ray.direction);
   return {ray.origin, ray.direction / length, from * length, to * length};
 }
@@ -108,27 +127,29 @@ void RayScene::cameraHits(double x, double y, CameraHits& out) const {
   cameraHits(std::span(&position, 1), std::span(&hits, 1));
 }
 
+class RayScene::CameraRays {
+ public:
+  CameraRays(const RayScene& scene, std::span<const glm::dvec2> positions,
+             std::span<CameraHits* const> out)
+      : m_scene(scene), m_positions(positions), m_out(out) {}
+  TruthRay ray(size_t i) const { return m_scene.cameraRay(m_positions[i].x, m_positions[i].y); }
+  Bvh::Verdict judge(size_t, const TruthHit& hit) const { return m_scene.judgeForCamera(hit); }
+  void end(size_t i, bool, std::vector<TruthHit>& hits) {
+    m_out[i]->hits.swap(hits);
+    m_scene.endCameraHits(*m_out[i]);
+  }
+
+ private:
+  const RayScene& m_scene;
+  std::span<const glm::dvec2> m_positions;
+  std::span<CameraHits* const> m_out;
+};
+
 void RayScene::cameraHits(std::span<const glm::dvec2> positions,
                           std::span<CameraHits* const> out) const {
-  PacketHits hits;
-  for (size_t first = 0; first < positions.size(); first += kPacket) {
-    const size_t count = std::min<size_t>(kPacket, positions.size() - first);
-    std::array<TruthRay, kPacket> rays;
-    std::array<const TruthRay*, kPacket> traced;
-    for (size_t i = 0; i < count; ++i) {
-      aimCameraRay(positions[first + i].x, positions[first + i].y, rays[i]);
-      traced[i] = &rays[i];
-      hits[i].swap(out[first + i]->hits);
-    }
-    m_bvh->hits(
-        std::span(traced).first(count),
-        [this](size_t, const TruthHit& hit) { return judgeForCamera(hit); },
-        std::span(hits).first(count));
-    for (size_t i = 0; i < count; ++i) {
-      hits[i].swap(out[first + i]->hits);
-      endCameraHits(*out[first + i]);
-    }
-  }
+  Bvh::PacketHits scratch;
+  CameraRays rays(*this, positions, out);
+  m_bvh->hits(positions.size(), rays, scratch);
 }
 
 void RayScene::endCameraHits(CameraHits& out) const {
@@ -178,8 +199,7 @@ void RayScene::orderTies(std::vector<TruthHit>& hits, double range) const {
 }
 
 Tracer::Point RayScene::point(double x, double y, const TruthHit& hit) const {
-  TruthRay ray;
-  aimCameraRay(x, y, ray);
+  const TruthRay ray = cameraRay(x, y);
   const TruthTriangle& t = m_triangles[hit.triangle];
   const dvec3 n =
       glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
@@ -215,7 +235,7 @@ bool RayScene::holds(uint32_t triangle, const Tracer::Point& point) const {
   // Near enough for its plane to be the same one?
   const Plane &own = m_planes[point.triangle], &other = m_planes[triangle];
   const double height = glm::dot(other.normal, point.position - t.corners[0]);
-  return std::abs(height) <= 16 * glm::dot(glm::abs(other.normal), own.ulp + other.ulp) &&
+  return std::abs(height) <= knownTo(other, own.ulp) &&
          coplanar(facet(point.triangle), facet(triangle));
 }
 

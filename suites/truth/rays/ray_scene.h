@@ -4,6 +4,9 @@
 // shadow each other; nothing is decided by a share of the distance from the eye.
 #pragma once
 
+#include <limits>
+#include <span>
+
 #include "shaders/common/shared_shading.h"
 #include "suites/truth/media/media.h"
 #include "suites/truth/surface.h"
@@ -45,16 +48,14 @@ class RayScene {
   /// `ownNear`: the receiver's own instance does not count within that distance.
   glm::dvec3 passed(const Tracer::Point& point, const Target& target,
                     std::vector<TruthHit>& scratch, double ownNear = 0) const;
-  /// A shadow ray, and what `passed` gives for it.
-  struct ShadowRay {
-    const Tracer::Point* point = nullptr;
-    Target target;
-    double ownNear = 0;
-    glm::dvec3 passed = glm::dvec3(0);
-  };
-  using PacketHits = std::array<std::vector<TruthHit>, kPacket>;
-  /// `passed` of up to kPacket rays, which are best neighbours.
-  void pass(std::span<ShadowRay> rays, PacketHits& scratch) const;
+  /// `passed` of many rays; cheaper if those that follow one another are neighbours. `Rays` has
+  ///   const Tracer::Point& point(size_t i) const;
+  ///   Target target(size_t i) const;
+  ///   double ownNear() const;
+  ///   void end(size_t i, const glm::dvec3& passed);
+  /// In suites/truth/lights/shadow_rays.h.
+  template <class Rays>
+  void pass(size_t count, Rays& rays, Bvh::PacketHits& scratch) const;
   /// Does the triangle neither shadow the point nor anything else in its plane?
   bool isOwn(uint32_t triangle, const Tracer::Point& point) const {
     return triangle == point.triangle || holds(triangle, point);
@@ -97,11 +98,33 @@ class RayScene {
   struct Plane {
     glm::dvec3 normal, ulp;
   };
-  void aimCameraRay(double x, double y, TruthRay& ray) const;
+  TruthRay cameraRay(double x, double y) const;
   Bvh::Verdict judgeForCamera(const TruthHit& hit) const;
   /// Of what a camera ray met, leaves what the eye sees.
   void endCameraHits(CameraHits& hits) const;
-  class Shadow;
+  /// What a point, known to `ulp`, may be off a plane that holds it.
+  static double knownTo(const Plane& plane, const glm::dvec3& ulp) {
+    return 16 * glm::dot(glm::abs(plane.normal), ulp + plane.ulp);
+  }
+  /// From where on triangles stop shadow rays whatever else holds (Bvh).
+  std::vector<double> blockingHeights() const;
+  class CameraRays;
+  template <class Rays>
+  class ShadowRays;
+  static TruthRay shadowRay(const Tracer::Point& point, const Target& target, bool stopsUnasked) {
+    return {.origin = point.position,
+            .direction = target.toward,
+            .tMax = target.infinite ? std::numeric_limits<double>::infinity() : 1,
+            .own = point.triangle,
+            .stopsUnasked = stopsUnasked};
+  }
+  Bvh::Verdict judgeForLight(const Tracer::Point& point, const Target& target, double ownNear,
+                             const TruthHit& hit) const;
+  /// What a shadow ray that nothing stopped brings along.
+  glm::dvec3 passedThrough(const Tracer::Point& point, const Target& target,
+                           std::span<const TruthHit> hits) const;
+  /// Share of light that passes a surface.
+  glm::dvec3 transmittance(const TruthHit& hit) const;
   Facet facet(uint32_t triangle) const;
   /// Do two hits of a ray, whose depths differ by no more than `range`, lie in one plane?
   bool sameSurface(const TruthHit& a, const TruthHit& b, double range) const;
@@ -117,6 +140,8 @@ class RayScene {
   std::vector<Plane> m_planes;  ///< of each triangle
   std::vector<SurfaceTraits> m_traits;
   std::vector<const SurfaceTraits*> m_instanceTraits;
+  /// Of each instance whose surface is the same everywhere.
+  std::vector<std::optional<glm::dvec3>> m_evenTransmittance;
   std::vector<gpu::LightData> m_lights;
   std::vector<glm::dvec3> m_lightPositions;
   std::vector<glm::dvec3> m_lightDirections;  ///< toward directional lights, unit
