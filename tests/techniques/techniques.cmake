@@ -37,6 +37,7 @@ target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/coverage_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/edge_mesh_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp
