@@ -31,11 +31,11 @@ using vec3 = glm::vec3;
 #define PRECISE precise
 #endif
 
-// What a receiver sees of a light: a disc, a square; or nothing that has an extent, because it lies
-// in the light, or in its plane.
+// What a receiver sees of a light: a disc, a square; or it lies in the light or in its plane, where
+// nothing can be said, and is lit.
 #define SEEN_ROUND 0u
 #define SEEN_SQUARE 1u
-#define SEEN_AS_POINT 2u
+#define SEEN_FROM_WITHIN 2u
 
 // Occluders nearer than this share of the way to the light are the receiver's own surface.
 #define NEAREST_OCCLUDER 1e-4f
@@ -65,7 +65,7 @@ SHARED LightSight lightSight(vec3 centre, vec3 axis0, vec3 axis1, vec3 axis2, ui
     vec3 d = inverse * vec3(dot(n0, centre), dot(cross(axis2, axis0), centre),
                             dot(cross(axis0, axis1), centre));
     float d2 = dot(d, d);
-    if (d2 <= 1.0f) sight.seen = SEEN_AS_POINT;
+    if (d2 <= 1.0f) sight.seen = SEEN_FROM_WITHIN;
     vec3 other = abs(d.x) < abs(d.y) ? vec3(1, 0, 0) : vec3(0, 1, 0);
     vec3 x = cross(d, other);
     x = x / length(x);
@@ -81,7 +81,7 @@ SHARED LightSight lightSight(vec3 centre, vec3 axis0, vec3 axis1, vec3 axis2, ui
     across = -across;
     volume = -volume;
   }
-  if (volume <= 1e-6f * length(across) * length(centre)) sight.seen = SEEN_AS_POINT;
+  if (volume <= 1e-6f * length(across) * length(centre)) sight.seen = SEEN_FROM_WITHIN;
   sight.rowX = cross(v, centre) / volume;
   sight.rowY = cross(centre, u) / volume;
   sight.rowZ = across / volume;

@@ -72,7 +72,7 @@ class Renderer {
   void setSeed(uint32_t seed);
 
   /// What the last frame left out, for people. Call between frames.
-  std::vector<std::string> warnings() { return m_camera->warnings(); }
+  std::vector<std::string> warnings();
 
   const Plan& plan() const { return m_plan; }
   const SceneView& view() const { return *m_view; }

@@ -23,6 +23,12 @@ class ShadowVolumes {
 
   /// Of this step: of lights that something casts in.
   const std::vector<LightVolumes>& lights() const { return m_lights; }
+  /// Items of a part of a volume; VolumeBuilder::Cpu alone.
+  std::span<const uint32_t> items(const CasterVolume& volume, uint32_t part) const {
+    return std::span(m_items).subspan(m_firstItem[volume.number] + volume.data.lists[int(part)],
+                                      volume.items[part]);
+  }
+  const EdgeBuffers::MeshEdges& edges(uint32_t mesh) const { return m_edges.of(mesh); }
 
   /// Within a frame, after the view has moved.
   void moved(Frame& frame);

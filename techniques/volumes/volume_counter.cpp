@@ -31,7 +31,7 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
     desc.fragment = &m_context.shaders.get("common/volume_count.frag");
     desc.constants.push_back({18, frontAdds});
     desc.depth = {.test = true, .compare = pass ? kBefore : kBehind};
-    desc.targets = {{.format = kFloatFormat,
+    desc.targets = {{.format = m_format,
                      .blend = {.enabled = true,
                                .dstColor = rhi::BlendFactor::One,
                                .dstAlpha = rhi::BlendFactor::One}}};
@@ -64,9 +64,9 @@ void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<Ligh
 }
 
 void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
-                         const LightVolumes& light) const {
+                         std::span<const CasterVolume> casters) const {
   for (const rhi::CullMode cull : culls())
-    for (const CasterVolume& volume : light.casters)
+    for (const CasterVolume& volume : casters)
       for (const uint32_t part : volume.parts)
         volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), volume, part);
 }

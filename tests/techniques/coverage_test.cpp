@@ -202,7 +202,7 @@ TEST(Coverage, LightsAreSeenAsTheTruthSeesThem) {
   EXPECT_NEAR(radius(2), 1.1547, 1e-4);
   EXPECT_NEAR(radius(10), 1.0050, 1e-4);
   EXPECT_EQ(gpu::lightSight({0, 0.5f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, SHAPE_ELLIPSOID, false).seen,
-            SEEN_AS_POINT);
+            SEEN_FROM_WITHIN);
   Light other{.type = LightType::Point, .shape = LightShape::Ellipsoid};
   other.halfAxes = glm::dmat3(glm::dvec3(0.5, 0.1, 0), glm::dvec3(-0.2, 1, 0), glm::dvec3(0, 0.1, -0.7));
   expectSeenAsPatch(other, {3, -4, 5}, 1e-5);
@@ -213,7 +213,7 @@ TEST(Coverage, LightsAreSeenAsTheTruthSeesThem) {
   }
   // In its plane.
   EXPECT_EQ(gpu::lightSight({3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, SHAPE_RECTANGLE, false).seen,
-            SEEN_AS_POINT);
+            SEEN_FROM_WITHIN);
   Light sun{.type = LightType::Directional, .direction = {0.25, -1, 0.5}, .angularRadius = 0.05};
   expectSeenAsPatch(sun, {}, 1e-5);
 }
