@@ -150,6 +150,10 @@ GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
                                     shownBy("StencilShadowVolume", {{"build", build}}));
 }
 
+GPU_TEST(FreeCamera, PenumbraeAreThoseOfAStandingCamera) {
+  expectPicturesOfStandingCameras(device(), softened(inhabited(true)), shownBy("PenumbraWedge"));
+}
+
 GPU_TEST(FreeCamera, BeforeItIsSetEverythingIsSeen) {
   for (const ShadowEntry* technique : shadowTechniques()) {
     FreeCell free(cellDevice(device()), furnished(true), shownBy(technique->info.name));

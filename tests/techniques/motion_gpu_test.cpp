@@ -87,6 +87,13 @@ GPU_TEST(Motion, ShadowVolumesFollowTheWorldHoweverTheyAreBuilt) {
                                optionsOf("StencilShadowVolume", {{"counter", "float"}}));
 }
 
+GPU_TEST(Motion, PenumbraeFollowTheWorld) {
+  expectFramesOfStandingScenes(device(), softened(restless()), optionsOf("PenumbraWedge"));
+  for (const char* combine : {"wrap", "exact"})
+    expectFramesOfStandingScenes(device(), softened(inhabited(false)),
+                                 optionsOf("PenumbraWedge", {{"combine", combine}}));
+}
+
 GPU_TEST(Motion, TransparencyTechniquesDrawAWorldThatStands) {
   for (const TransparencyEntry* technique : transparencyTechniques())
     expectFramesOfStandingScenes(device(), inhabited(false),
