@@ -1,5 +1,5 @@
-// How much of a light with an extent an occluder's outline hides from a receiver (spec 08), compiled
-// by C++ and GLSL. All edges are projected from the receiver onto one plane, the light's, where the
+// How much of a light with an extent an occluder's outline hides from a receiver (spec 08), for C++
+// and GLSL. All edges are projected from the receiver onto one plane, the light's, where the
 // light is the unit disc or the square [-1, 1]^2, so that vertices that edges share stay shared and
 // their shares add up. With outlines counter-clockwise around occluders, `covered = H - sum of
 // edgeShare`, H the number of outlines around the light's centre (1: in the hard shadow).
@@ -41,8 +41,8 @@ using vec3 = glm::vec3;
 #define NEAREST_OCCLUDER 1e-4f
 
 struct LightSight {
-  vec3 rowX;  // take a vector from the receiver to (x, y, z): it is seen at (x, y) / z, and z is 1 in
-  vec3 rowY;  // the light's plane. Counter-clockwise is as the light sees it.
+  vec3 rowX;  // take a vector from the receiver to (x, y, z): it is seen at (x, y) / z, and z is 1
+  vec3 rowY;  // in the light's plane. Counter-clockwise is as the light sees it.
   vec3 rowZ;
   float far;  // no occluder beyond this z: 1, or anything where light is directional
   uint seen;  // SEEN_*
@@ -89,7 +89,7 @@ SHARED LightSight lightSight(vec3 centre, vec3 axis0, vec3 axis1, vec3 axis2, ui
 }
 
 // `e`: from the receiver to a point. The light is moved aside by 3e-7 of its size: what was modelled
-// to lie in a plane with its centre then lies to one side of it, for all edges that meet there.
+// to lie in a plane with its centre lies to one side of it, then, for all edges that meet there.
 SHARED vec3 seenPoint(LightSight sight, vec3 e) {
   PRECISE vec3 s = vec3(sight.rowX.x * e.x + sight.rowX.y * e.y + sight.rowX.z * e.z,
                         sight.rowY.x * e.x + sight.rowY.y * e.y + sight.rowY.z * e.z,
@@ -119,8 +119,8 @@ SHARED vec2 clipped(vec2 t, float a, float b) {
   return t;
 }
 
-// F of spec 08: of a chord at distance |d0| from the disc's centre the part from its foot to s: what
-// lies beyond it, as a share of the disc.
+// F of spec 08: of a chord at distance |d0| from the disc's centre the part from its foot to s:
+// what lies beyond it, as a share of the disc.
 SHARED float discPart(float d0, float s) {
   float d = abs(d0);
   if (d >= 1.0f) return 0.0f;
@@ -148,14 +148,25 @@ SHARED float squareShare(vec2 q1, vec2 q2, bool left) {
   return 0.125f * (way - (q1.x * q2.y - q1.y * q2.x));
 }
 
-// G of spec 08: of what lies beyond an edge (seen points, directed) in the angle that it takes up
-// around the light's centre, the share of the light; negative where the centre lies to its right.
-SHARED float edgeShare(LightSight sight, vec3 a, vec3 b) {
+// An edge as it is seen: what of it lies between receiver and light.
+struct SeenEdge {
+  bool any;    // false: nothing, or not before the light
+  bool left;   // the light's centre lies to its left
+  float d0;    // distance of the centre, positive there
+  vec2 along;  // its way
+  vec2 start;
+  vec2 end;
+};
+
+// `a`, `b`: seen points.
+SHARED SeenEdge seenEdge(LightSight sight, vec3 a, vec3 b) {
+  SeenEdge edge;
   vec3 line = lineThrough(a, b);
   float size = sqrt(line.x * line.x + line.y * line.y);
   bool square = sight.seen == SEEN_SQUARE;
-  // Past the disc, or the square's corners.
-  if (abs(line.z) >= size * (square ? 1.4142136f : 1.0f)) return 0.0f;
+  edge.left = isLeft(line);
+  edge.along = vec2(line.y, -line.x) / size;
+  edge.d0 = line.z / size;
   vec2 t = clipped(vec2(0, 1), a.z - NEAREST_OCCLUDER, b.z - NEAREST_OCCLUDER);
   t = clipped(t, sight.far - a.z, sight.far - b.z);
   if (square) {
@@ -164,18 +175,25 @@ SHARED float edgeShare(LightSight sight, vec3 a, vec3 b) {
     t = clipped(t, a.z - a.y, b.z - b.y);
     t = clipped(t, a.z + a.y, b.z + b.y);
   }
-  if (t.x >= t.y) return 0.0f;
+  // Not past the disc, or the square's corners.
+  edge.any = t.x < t.y && abs(line.z) < size * (square ? 1.4142136f : 1.0f);
   // Whole ends to the last bit: edges that share them must agree.
   vec3 p1 = t.x == 0.0f ? a : a + t.x * (b - a);
   vec3 p2 = t.y == 1.0f ? b : a + t.y * (b - a);
-  vec2 q1 = vec2(p1.x, p1.y) / p1.z;
-  vec2 q2 = vec2(p2.x, p2.y) / p2.z;
-  bool left = isLeft(line);
-  if (square) return squareShare(q1, q2, left);
-  vec2 along = vec2(line.y, -line.x) / size;
-  float d0 = line.z / size;
-  float beyond = discPart(d0, dot(q2, along)) - discPart(d0, dot(q1, along));
-  return left ? beyond : -beyond;
+  edge.start = vec2(p1.x, p1.y) / p1.z;
+  edge.end = vec2(p2.x, p2.y) / p2.z;
+  return edge;
+}
+
+// G of spec 08: of what lies beyond an edge (seen points, directed) in the angle that it takes up
+// around the light's centre, the share of the light; negative where the centre lies to its right.
+SHARED float edgeShare(LightSight sight, vec3 a, vec3 b) {
+  SeenEdge edge = seenEdge(sight, a, b);
+  if (!edge.any) return 0.0f;
+  if (sight.seen == SEEN_SQUARE) return squareShare(edge.start, edge.end, edge.left);
+  float beyond = discPart(edge.d0, dot(edge.end, edge.along)) -
+                 discPart(edge.d0, dot(edge.start, edge.along));
+  return edge.left ? beyond : -beyond;
 }
 
 // A triangle (seen points) lies between the receiver and the light's centre: by the same arithmetic

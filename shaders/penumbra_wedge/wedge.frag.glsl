@@ -1,16 +1,3 @@
 #version 450
-// What an edge hides of the light at the receivers in its wedge, beside the count of volumes: -G; and
-// whether the two may disagree about the side on which the light's centre is.
-#include "penumbra_wedge/wedges.glsl"
-layout(location = 0) flat in uint v_wedge;
-layout(location = 0) out vec4 o_hidden;
-layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2D receiverDepth;
-
-void main() {
-  float depth = texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r;
-  if (depth == 0.0) discard;
-  WedgeReceiver r = wedgeReceiver(gl_FragCoord.xy, depth);
-  if (r.sight.seen == SEEN_FROM_WITHIN) discard;
-  WedgeData w = wedges[v_wedge];
-  o_hidden = vec4(-wedgeShare(r, w), isAtHardEdge(r, w) ? 1.0 : 0.0, 0, 0);
-}
+// Shares in closed form.
+#include "penumbra_wedge/wedge_share.glsl"

@@ -34,10 +34,30 @@ WedgeReceiver wedgeReceiver(vec2 window, float depth) {
   return r;
 }
 
+#ifdef COVERAGE_TABLES
+// The source's tables of discs: by |d0| and how far the ends are from the foot of the centre, of edges
+// whose ends lie on one side of it and of others.
+layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 2)) uniform sampler3D oneSide;
+layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 3)) uniform sampler3D bothSides;
+
+float shareOfEdge(LightSight sight, vec3 a, vec3 b) {
+  if (sight.seen == SEEN_SQUARE) return edgeShare(sight, a, b);
+  SeenEdge edge = seenEdge(sight, a, b);
+  if (!edge.any) return 0.0;
+  float s1 = dot(edge.start, edge.along), s2 = dot(edge.end, edge.along);
+  float size = float(textureSize(oneSide, 0).x);
+  vec3 at = (clamp(abs(vec3(edge.d0, s1, s2)), 0.0, 1.0) * (size - 1.0) + 0.5) / size;
+  float beyond = s1 * s2 > 0.0 ? textureLod(oneSide, at, 0.0).r : textureLod(bothSides, at, 0.0).r;
+  return edge.left ? beyond : -beyond;
+}
+#else
+float shareOfEdge(LightSight sight, vec3 a, vec3 b) { return edgeShare(sight, a, b); }
+#endif
+
 // Share of the light that the edge uncovers there (G of spec 08).
 float wedgeShare(WedgeReceiver r, WedgeData w) {
-  return w.start.w * edgeShare(r.sight, seenPoint(r.sight, w.start.xyz - r.position),
-                               seenPoint(r.sight, w.end.xyz - r.position));
+  return w.start.w * shareOfEdge(r.sight, seenPoint(r.sight, w.start.xyz - r.position),
+                                 seenPoint(r.sight, w.end.xyz - r.position));
 }
 
 // So near the plane through the edge and the light's centre that the count of volumes, whose

@@ -1,6 +1,6 @@
 // Lights with an extent driven to where penumbra wedges break (spec 17, rows of 08): receivers at
-// edges, edges that point at the light, reach into it or lie on its axis, eyes within penumbrae, many
-// edges at once, casters that overlap.
+// edges, edges that point at the light, reach into it or lie on its axis, eyes within penumbrae,
+// many edges at once, casters that overlap.
 #include <cmath>
 #include <numbers>
 
@@ -62,8 +62,7 @@ ShareErrors shareErrors(const CaseContext& context, Scene scene) {
         floor &= near && near->instance == 0;
       }
       if (!floor) continue;
-      const double expected =
-          tracer.visibility(0, *tracer.pointAt(x, y, 0), {.pattern = 1024}).x;
+      const double expected = tracer.visibility(0, *tracer.pointAt(x, y, 0), {.pattern = 1024}).x;
       const double error = found[4 * (size_t(y) * 48 + x)] - expected;
       e.worst = std::max(e.worst, std::abs(error));
       e.lighter = std::max(e.lighter, error);
@@ -128,7 +127,8 @@ Found beyondLight(const CaseContext& context) {
   // A wall beside the light that ends so far above its plane, and a lid over it.
   return worstAlong(context, {-1.5, 0, 1, 10}, [](double above) {
     Scene scene = lamp();
-    addQuad(scene, 0, {1.5f, float(2.5 + 0.5 * above), 0}, {0, float(1.5 + 0.5 * above), 0}, {0, 0, 1});
+    addQuad(scene, 0, {1.5f, float(2.5 + 0.5 * above), 0}, {0, float(1.5 + 0.5 * above), 0},
+            {0, 0, 1});
     addHorizontal(scene, 0, {0, 5, 0}, 1, 1);
     return scene;
   });
@@ -176,8 +176,10 @@ std::vector<StabilityCase> wedgeCases() {
                          .run = run};
   };
   std::vector<StabilityCase> cases = {
-      made("penumbra contact", "A box that touches the floor, or nearly", "gap, world units", contact),
-      made("edge at light", "Edges that point at a light's centre", "aside, world units", edgeAtLight),
+      made("penumbra contact", "A box that touches the floor, or nearly", "gap, world units",
+           contact),
+      made("edge at light", "Edges that point at a light's centre", "aside, world units",
+           edgeAtLight),
       made("edge through centre", "A light's centre on an edge or a corner", "aside, world units",
            edgeThroughCentre),
       made("eye in penumbra", "An eye before, in and behind a penumbra", "height of the eye",

@@ -1,5 +1,5 @@
-// Hard shadows of one layer of receivers (spec 07): a pass that counts volumes, and one that fills a
-// slot of the mask where the count is not 0.
+// Hard shadows of one layer of receivers (spec 07): a pass that counts volumes, and one that fills
+// a slot of the mask where the count is not 0.
 #pragma once
 
 #include "techniques/volumes/shadow_mask.h"

@@ -32,8 +32,8 @@ uint32_t numberInView(const SceneView& view, uint32_t light) {
   return number;
 }
 
-/// Many times as far from the eye as anything: there hulls end before parallel eyes, whose rays none
-/// of the ways of light are perpendicular to.
+/// Many times as far from the eye as anything: there hulls end before parallel eyes, whose rays
+/// none of the ways of light are perpendicular to.
 double reachOf(const SceneView& view) {
   Box all;
   for (uint32_t i = 0; i < view.scene().instances.size(); ++i)
@@ -122,7 +122,8 @@ void LightWedges::addCaster(const ShadowVolumes& volumes, const CasterVolume& vo
 void LightWedges::addWedge(const WedgeLight& light, const glm::vec3& a, const glm::vec3& b,
                            float times) {
   const Wedge made = wedge(light, a, b);
-  gpu::WedgeData data{.start = glm::vec4(a, times), .end = glm::vec4(b, made.holds ? 0 : 1), .hull = {}};
+  gpu::WedgeData data{
+      .start = glm::vec4(a, times), .end = glm::vec4(b, made.holds ? 0 : 1), .hull = {}};
   for (size_t i = 0; made.holds && i < WEDGE_CORNERS; ++i) {
     data.hull[i] = made.hull[i];
     if (i < 2 || m_reach == 0) continue;

@@ -33,13 +33,14 @@ ShadowMask::ShadowMask(const Context& context, MaskKind kind, uint32_t slots, ui
   const rhi::FormatInfo& info = rhi::formatInfo(m_format);
   const std::vector<uint8_t> lit8(texels * kChannels, 0xFF);
   const std::vector<uint16_t> lit16(texels * kChannels, 0x3C00);
-  const auto lit = kind == MaskKind::Binary ? std::as_bytes(std::span(lit8))
-                                            : std::as_bytes(std::span(lit16));
+  const auto lit =
+      kind == MaskKind::Binary ? std::as_bytes(std::span(lit8)) : std::as_bytes(std::span(lit16));
   for (uint32_t layer = 0; layer < layers && !context.view.stands(); ++layer)
     context.device.upload(m_mask, {.layer = layer}, lit.first(texels * info.texelBytes));
-  m_slots = context.device.createBuffer({.label = "shadow mask slots",
-                                         .size = std::max<uint64_t>(16, 4 * uint64_t(inView)),
-                                         .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
+  m_slots =
+      context.device.createBuffer({.label = "shadow mask slots",
+                                   .size = std::max<uint64_t>(16, 4 * uint64_t(inView)),
+                                   .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
   m_sampler = context.device.createSampler(
       {.label = "shadow mask sampler", .filter = rhi::Filter::Nearest});
 }

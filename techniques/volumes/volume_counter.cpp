@@ -30,6 +30,7 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
   if (m_kind == CounterKind::Float) {
     desc.fragment = &m_context.shaders.get("common/volume_count.frag");
     desc.constants.push_back({18, frontAdds});
+    desc.constants.push_back({19, rhi::formatInfo(m_format).kind == rhi::FormatKind::Unorm});
     desc.depth = {.test = true, .compare = pass ? kBefore : kBehind};
     desc.targets = {{.format = m_format,
                      .blend = {.enabled = true,

@@ -20,7 +20,8 @@ class VolumeCounter {
   static constexpr rhi::Format kDepthFormat = rhi::Format::D32FloatS8;
   static constexpr rhi::Format kFloatFormat = rhi::Format::R32Float;
 
-  /// `format`: of the target of CounterKind::Float, whose first channel counts.
+  /// `format`: of the target of CounterKind::Float, whose first channel counts; of bytes, the first
+  /// those entered and the second those left.
   VolumeCounter(const Context& context, CounterKind kind, VolumeFaces faces,
                 rhi::Format format = kFloatFormat)
       : m_context(context), m_kind(kind), m_faces(faces), m_format(format) {}

@@ -33,7 +33,9 @@ struct Space {
   dvec3 inWay(const dvec3& d) const { return light.directional ? d : light.toUnit * d; }
   dvec3 outWay(const dvec3& d) const { return light.directional ? d : light.fromUnit * d; }
 
-  dvec3 toward(const dvec3& e) const { return light.directional ? light.centre : -glm::normalize(e); }
+  dvec3 toward(const dvec3& e) const {
+    return light.directional ? light.centre : -glm::normalize(e);
+  }
   /// Of the angle under which the light is seen.
   double sine(const dvec3& e) const { return light.directional ? light.sine : 1 / glm::length(e); }
   /// How far out of reach the light is.
@@ -93,7 +95,8 @@ WedgeLight wedgeLight(const Light& light, const dvec3& eye) {
             .directional = true,
             .sine = std::sin(light.angularRadius)};
   WedgeLight w{.centre = light.position - eye};
-  w.fromUnit = light.shape == LightShape::Ellipsoid ? light.halfAxes : glm::dmat3(lightRadius(light));
+  w.fromUnit =
+      light.shape == LightShape::Ellipsoid ? light.halfAxes : glm::dmat3(lightRadius(light));
   w.toUnit = glm::inverse(w.fromUnit);
   return w;
 }
@@ -111,8 +114,8 @@ Wedge wedge(const WedgeLight& light, const dvec3& a, const dvec3& b) {
   const dvec3 toward = space.toward(middle);
   // An edge that points at the light: its wedge is a pyramid.
   const double size = light.directional ? glm::distance(start, far) : glm::length(start);
-  const dvec3 u = glm::distance(start, end) < 1e-6 * size ? acrossAny(toward)
-                                                          : glm::normalize(end - start);
+  const dvec3 u =
+      glm::distance(start, end) < 1e-6 * size ? acrossAny(toward) : glm::normalize(end - start);
   const dvec3 n = glm::cross(toward, u);
   const dvec3 front = tangent(space, middle, n), back = tangent(space, middle, -n);
   // Across the way from each end, on the side of the other.

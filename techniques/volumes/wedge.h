@@ -12,8 +12,9 @@ namespace sb {
 
 /// A light as wedges take it: a sphere around it, or an ellipsoid where it is one.
 struct WedgeLight {
-  glm::dmat3 toUnit = glm::dmat3(1), fromUnit = glm::dmat3(1);  ///< local: where it is a unit sphere
-  glm::dvec3 centre = glm::dvec3(0);  ///< relative to the eye; directional: the way to it, unit
+  glm::dmat3 toUnit = glm::dmat3(1),
+             fromUnit = glm::dmat3(1);  ///< local: where it is a unit sphere
+  glm::dvec3 centre = glm::dvec3(0);    ///< relative to the eye; directional: the way to it, unit
   bool directional = false;
   double sine = 0;  ///< directional: of its angular radius
 };

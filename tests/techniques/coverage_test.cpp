@@ -1,22 +1,21 @@
 // Shares of lights that outlines hide (spec 08), by the code that shaders run, against the
 // specification's numbers and areas of clipped polygons, scanned line by line.
-#include "shaders/common/shared_coverage.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 #include <random>
 
+#include "shaders/common/shared_coverage.h"
 #include "techniques/scene/light_area.h"
 
 namespace sb::test {
 namespace {
 
-using gpu::LightSight;
 using glm::dvec2;
 using glm::vec2;
 using glm::vec3;
+using gpu::LightSight;
 
 using Outline = std::vector<vec3>;  ///< seen points, counter-clockwise around the occluder
 
@@ -110,8 +109,9 @@ TEST(Coverage, PolygonsAreThoseOfTheSpecification) {
   EXPECT_EQ(coveredBy(unitSight(), {at(-5, -5), at(5, -5), at(0, 9)}), 1);
   for (const uint32_t seen : {SEEN_ROUND, SEEN_SQUARE})
     EXPECT_EQ(coveredBy(unitSight(seen), {at(-5, -5), at(5, -5), at(0, 9)}), 1);
-  EXPECT_NEAR(coveredBy(unitSight(SEEN_SQUARE), {at(-0.5f, -2), at(0.25f, -2), at(0.25f, 2), at(-0.5f, 2)}),
-              0.375, 1e-6);
+  EXPECT_NEAR(
+      coveredBy(unitSight(SEEN_SQUARE), {at(-0.5f, -2), at(0.25f, -2), at(0.25f, 2), at(-0.5f, 2)}),
+      0.375, 1e-6);
 }
 
 TEST(Coverage, AnyOutlineCoversItsArea) {
@@ -147,8 +147,9 @@ TEST(Coverage, TheCentreOnAnEdgeOrVertexIsSeenFromOneSideByAll) {
         EXPECT_NEAR(coveredBy(sight, {at(x, -5), at(5, -5), at(5, 5), at(x, 5)}), 0.5, 1e-5);
         EXPECT_NEAR(coveredBy(sight, {at(x, y), at(5, y), at(5, 5), at(x, 5)}), 0.25, 1e-5)
             << x << " " << y << " " << seen;
-        EXPECT_NEAR(coveredBy(sight, {at(x, y), at(x, 5), at(-5, 5), at(-5, -5), at(5, -5), at(5, y)}),
-                    0.75, 1e-5);
+        EXPECT_NEAR(
+            coveredBy(sight, {at(x, y), at(x, 5), at(-5, 5), at(-5, -5), at(5, -5), at(5, y)}),
+            0.75, 1e-5);
       }
     }
 }
@@ -157,13 +158,17 @@ TEST(Coverage, WhatLiesBehindTheReceiverOrBeyondTheLightHidesNothing) {
   // A wall beside the axis that goes from behind the receiver to beyond the light; cut off at the
   // light it covers the same.
   const LightSight sight = unitSight();
-  const auto wall = [](float z) { return Outline{{0.2f * z, -9, z}, {9, -9, z}, {9, 9, z}, {0.2f * z, 9, z}}; };
-  const float expected = float(0.5 - std::asin(0.2) / std::numbers::pi - 0.2 * std::sqrt(0.96) / std::numbers::pi);
+  const auto wall = [](float z) {
+    return Outline{{0.2f * z, -9, z}, {9, -9, z}, {9, 9, z}, {0.2f * z, 9, z}};
+  };
+  const float expected =
+      float(0.5 - std::asin(0.2) / std::numbers::pi - 0.2 * std::sqrt(0.96) / std::numbers::pi);
   EXPECT_NEAR(coveredBy(sight, wall(0.5f)), expected, 1e-6);
   EXPECT_EQ(coveredBy(sight, wall(1.5f)), 0);
   EXPECT_EQ(coveredBy(sight, wall(-0.5f)), 0);
   // Along the axis' direction: from z -1 to 3 at x .2 z, which projects to a point of x.
-  EXPECT_NEAR(edgeShare(sight, {-0.2f, -9, -1}, {0.6f, 27, 3}), edgeShare(sight, {0.2f * 1e-3f, 9e-3f, 1e-3f}, {0.2f, 9, 1}), 1e-6);
+  EXPECT_NEAR(edgeShare(sight, {-0.2f, -9, -1}, {0.6f, 27, 3}),
+              edgeShare(sight, {0.2f * 1e-3f, 9e-3f, 1e-3f}, {0.2f, 9, 1}), 1e-6);
   // Directional light has no plane.
   LightSight sun = sight;
   sun.far = 1e30f;
@@ -175,7 +180,8 @@ void expectSeenAsPatch(const Light& light, const glm::dvec3& toCentre, double to
   const bool directional = light.type == LightType::Directional;
   const LightPatch patch = lightPatch(light, toCentre);
   const vec3 axes[3] = {directional ? vec3(patch.u) : vec3(light.halfAxes[0]),
-                        directional ? vec3(patch.v) : vec3(light.halfAxes[1]), vec3(light.halfAxes[2])};
+                        directional ? vec3(patch.v) : vec3(light.halfAxes[1]),
+                        vec3(light.halfAxes[2])};
   const uint32_t shape = directional ? SHAPE_DISC : uint32_t(light.shape);
   const LightSight sight =
       gpu::lightSight(vec3(patch.centre), axes[0], axes[1], axes[2], shape, directional);
@@ -195,16 +201,18 @@ TEST(Coverage, LightsAreSeenAsTheTruthSeesThem) {
   expectSeenAsPatch(ball, {0, 2, 0}, 1e-5);
   expectSeenAsPatch(ball, {3, -4, 12}, 1e-5);
   const auto radius = [&](double distance) {
-    const LightSight sight =
-        gpu::lightSight(vec3(0, 0, distance), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, SHAPE_ELLIPSOID, false);
+    const LightSight sight = gpu::lightSight(vec3(0, 0, distance), {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                             SHAPE_ELLIPSOID, false);
     return 1 / length(sight.rowX);
   };
   EXPECT_NEAR(radius(2), 1.1547, 1e-4);
   EXPECT_NEAR(radius(10), 1.0050, 1e-4);
-  EXPECT_EQ(gpu::lightSight({0, 0.5f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, SHAPE_ELLIPSOID, false).seen,
-            SEEN_FROM_WITHIN);
+  EXPECT_EQ(
+      gpu::lightSight({0, 0.5f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, SHAPE_ELLIPSOID, false).seen,
+      SEEN_FROM_WITHIN);
   Light other{.type = LightType::Point, .shape = LightShape::Ellipsoid};
-  other.halfAxes = glm::dmat3(glm::dvec3(0.5, 0.1, 0), glm::dvec3(-0.2, 1, 0), glm::dvec3(0, 0.1, -0.7));
+  other.halfAxes =
+      glm::dmat3(glm::dvec3(0.5, 0.1, 0), glm::dvec3(-0.2, 1, 0), glm::dvec3(0, 0.1, -0.7));
   expectSeenAsPatch(other, {3, -4, 5}, 1e-5);
   for (const LightShape shape : {LightShape::Disc, LightShape::Rectangle}) {
     other.shape = shape;
@@ -212,8 +220,9 @@ TEST(Coverage, LightsAreSeenAsTheTruthSeesThem) {
     expectSeenAsPatch(other, {3, -4, -5}, 1e-5);
   }
   // In its plane.
-  EXPECT_EQ(gpu::lightSight({3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, SHAPE_RECTANGLE, false).seen,
-            SEEN_FROM_WITHIN);
+  EXPECT_EQ(
+      gpu::lightSight({3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, SHAPE_RECTANGLE, false).seen,
+      SEEN_FROM_WITHIN);
   Light sun{.type = LightType::Directional, .direction = {0.25, -1, 0.5}, .angularRadius = 0.05};
   expectSeenAsPatch(sun, {}, 1e-5);
 }
@@ -224,8 +233,9 @@ TEST(Coverage, TheSizeOfTheSceneDoesNotMatter) {
     const Outline o = randomOutline(random);
     const auto share = [&](float scale) {
       const vec3 c = scale * vec3(1, 2, 4);
-      const LightSight sight = gpu::lightSight(c, scale * vec3(0.5f, 0, 0), scale * vec3(0, 0.5f, 0),
-                                               scale * vec3(0, 0, 0.5f), SHAPE_ELLIPSOID, false);
+      const LightSight sight =
+          gpu::lightSight(c, scale * vec3(0.5f, 0, 0), scale * vec3(0, 0.5f, 0),
+                          scale * vec3(0, 0, 0.5f), SHAPE_ELLIPSOID, false);
       return edgeShare(sight, seenPoint(sight, scale * vec3(o[0].x, 1, 2)),
                        seenPoint(sight, scale * vec3(o[1].x, 1.5f, 2)));
     };

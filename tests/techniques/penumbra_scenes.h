@@ -1,5 +1,5 @@
-// Occluders with one outline each over a floor, under a light with an extent, and the light that they
-// leave: the outline's area within the light as the receiver sees it, scanned line by line.
+// Occluders with one outline each over a floor, under a light with an extent, and the light that
+// they leave: the outline's area within the light as the receiver sees it, scanned line by line.
 #pragma once
 
 #include <algorithm>
@@ -73,9 +73,8 @@ inline void addTurnedBox(PenumbraScene& s, const glm::dvec3& middle, const glm::
 }
 
 inline std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
-  std::ranges::sort(points, [](const auto& a, const auto& b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  });
+  std::ranges::sort(
+      points, [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<glm::dvec2> hull;
   for (int half = 0; half < 2; ++half) {
     const size_t first = hull.size();
@@ -131,8 +130,9 @@ struct PenumbraErrors {
 
 inline PenumbraErrors penumbraErrors(
     Cell& cell, const PenumbraScene& s, uint32_t layer = 0, uint32_t light = 0,
-    const std::function<bool(const sb::Tracer::Point&)>& asked =
-        [](const sb::Tracer::Point& p) { return p.instance == 0; }) {
+    const std::function<bool(const sb::Tracer::Point&)>& asked = [](const sb::Tracer::Point& p) {
+      return p.instance == 0;
+    }) {
   const auto [width, height] = cell.size();
   const sb::Tracer tracer(cell.scene(), width, height);
   const glm::dvec3 eye = cell.scene().camera().eye();

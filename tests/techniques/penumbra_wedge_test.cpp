@@ -1,5 +1,7 @@
-// Penumbra wedges (spec 08): light behind single outlines, convex or not, is the outline's area within
-// the light; casters add up; hard shadows are those of volumes.
+// Penumbra wedges (spec 08): light behind single outlines, convex or not, is the outline's area
+// within the light; casters add up; hard shadows are those of volumes.
+#include <set>
+
 #include "tests/techniques/penumbra_scenes.h"
 
 using namespace sb;
@@ -34,8 +36,8 @@ PenumbraScene apart() {
   return s;
 }
 
-/// Of an edge straight below the light, from an eye in their plane: the middle column of pixels lies
-/// in it, but for less than vertices snap to.
+/// Of an edge straight below the light, from an eye in their plane: the middle column of pixels
+/// lies in it, but for less than vertices snap to.
 PenumbraScene alongThePlane() {
   PenumbraScene s = penumbraFloor(ball(0.5, {0, 4, 0}));
   addSheet(s, {0.75 + 4e-5, 1, 0}, {0.75, 0, 0.75}, {-0.75, 0, 0.75}, {1, 1, 1, 1});
@@ -94,8 +96,8 @@ GPU_TEST(PenumbraWedge, EveryShapeOfLightIsRight) {
   for (const LightShape shape : {LightShape::Ellipsoid, LightShape::Rectangle, LightShape::Disc}) {
     other.shape = shape;
     if (shape != LightShape::Ellipsoid)
-      other.halfAxes = glm::dmat3(glm::dvec3(0.75, 0.125, 0), glm::dvec3(-0.0125, 0.075, 0.375),
-                                  glm::dvec3(0));
+      other.halfAxes =
+          glm::dmat3(glm::dvec3(0.75, 0.125, 0), glm::dvec3(-0.0125, 0.075, 0.375), glm::dvec3(0));
     const PenumbraScene s = star(other);
     Cell cell(cellDevice(device()), s.scene, wedges());
     expectPenumbra(cell, s, "shape " + std::to_string(int(shape)));
@@ -144,8 +146,8 @@ GPU_TEST(PenumbraWedge, TranslucentLayersThatArePeeledReceive) {
   CellOptions options = wedges();
   options.transparency = "DepthPeeling";
   Cell cell(cellDevice(device()), s.scene, options);
-  const PenumbraErrors e = penumbraErrors(
-      cell, s, 1, 0, [&](const sb::Tracer::Point& p) { return p.instance == pane; });
+  const PenumbraErrors e =
+      penumbraErrors(cell, s, 1, 0, [&](const sb::Tracer::Point& p) { return p.instance == pane; });
   EXPECT_LE(e.worst, 1e-3) << e.where;
   EXPECT_GE(e.partly, 40u);
 }
@@ -170,7 +172,8 @@ GPU_TEST(PenumbraWedge, HardLightsBesideSoftOnesAreHard) {
   addLight(s.scene, pointLight({-1.5, 3, 1}, 4));
   Cell cell(cellDevice(device()), s.scene, wedges());
   EXPECT_LE(penumbraErrors(cell, s).worst, 1e-3);
-  Cell volumes(cellDevice(device()), s.scene, {.technique = "StencilShadowVolume", .size = {48, 36}});
+  Cell volumes(cellDevice(device()), s.scene,
+               {.technique = "StencilShadowVolume", .size = {48, 36}});
   EXPECT_EQ(cell.visibility(1)[0], volumes.visibility(1)[0]);
 }
 
@@ -184,4 +187,28 @@ GPU_TEST(PenumbraWedge, EdgesThatTouchTheLightAreDrawnEverywhere) {
         << cell.renderer().warnings()[0];
     for (const float v : cell.visibility()[0]) ASSERT_TRUE(v >= 0 && v <= 1) << v;
   }
+}
+
+GPU_TEST(PenumbraWedge, TheSourcesTablesAndBytesAreCoarse) {
+  const PenumbraScene s = star(ball(0.5));
+  const auto errors = [&](Setting knobs) {
+    Cell cell(cellDevice(device()), s.scene, wedges(std::move(knobs)));
+    return penumbraErrors(cell, s);
+  };
+  const double coarse = errors({{"coverage", "lut"}, {"lut", "16"}}).rmse();
+  const double fine = errors({{"coverage", "lut"}, {"lut", "128"}}).rmse();
+  EXPECT_LE(coarse, 0.02);
+  EXPECT_LE(fine, 0.25 * coarse);
+  EXPECT_LE(fine, 2e-3);
+  EXPECT_LE(errors({{"format", "r16f"}}).worst, 4e-3);
+  Cell cell(cellDevice(device()), s.scene, wedges({{"format", "rgba8"}}));
+  const PenumbraErrors bytes = penumbraErrors(cell, s);
+  // Half a step for each edge that is seen at once.
+  EXPECT_LE(bytes.worst, 4 * 0.5 / 32) << bytes.where;
+  EXPECT_GE(bytes.worst, 0.4 / 32);
+  std::set<float> shades;
+  for (size_t i = 0; i < cell.visibility()[0].size(); i += 4)
+    if (cell.visibility()[0][i + 3] == 1) shades.insert(cell.visibility()[0][i]);
+  EXPECT_LE(shades.size(), 33u);
+  EXPECT_GE(shades.size(), 12u);
 }

@@ -48,6 +48,7 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/medium_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_passes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/volume_geometry_test.cpp

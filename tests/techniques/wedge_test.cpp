@@ -28,8 +28,10 @@ double depthIn(const Wedge& wedge, const dvec3& x) {
     }
     // Counter-clockwise from outside: negative there. Of three ways: all space or none.
     const double size = glm::length(dvec3(plane));
-    if (c[0].w == 0) EXPECT_GT(plane.w, 0);
-    else if (size > 0) least = std::min(least, glm::dot(plane, dvec4(x, 1)) / size);
+    if (c[0].w == 0)
+      EXPECT_GT(plane.w, 0);
+    else if (size > 0)
+      least = std::min(least, glm::dot(plane, dvec4(x, 1)) / size);
   }
   return least;
 }
@@ -55,7 +57,8 @@ class WedgeTest : public testing::Test {
         away = -(patch.centre + patch.offset({std::cos(angle), std::sin(angle)}));
       } else {
         dvec3 place = onSphere();
-        if (light.shape == LightShape::Disc) place = dvec3(onDisc({0.5 + 0.5 * unit(), 0.5 + 0.5 * unit()}), 0);
+        if (light.shape == LightShape::Disc)
+          place = dvec3(onDisc({0.5 + 0.5 * unit(), 0.5 + 0.5 * unit()}), 0);
         if (light.shape == LightShape::Rectangle) place = dvec3(unit() < 0 ? -1 : 1, unit(), 0);
         away = e - (light.position + light.halfAxes * place);
       }
@@ -79,7 +82,8 @@ TEST_F(WedgeTest, HoldsThePenumbraOfAnyEdgeOfASphere) {
     makeSphere(light, std::exp(2 * unit() - 2));
     const double radius = lightRadius(light);
     const dvec3 a = inBox(4), b = a + std::exp(3 * unit()) * onSphere();
-    const bool touches = std::min(glm::distance(a, light.position), glm::distance(b, light.position)) <= radius * 1.0001;
+    const bool touches = std::min(glm::distance(a, light.position),
+                                  glm::distance(b, light.position)) <= radius * 1.0001;
     const bool holds = checkEdge(light, a, b);
     EXPECT_FALSE(touches && holds);
     refused += !touches && !holds;

@@ -1,15 +1,17 @@
 // Soft shadow volumes with penumbra wedges (Akenine-Moller and Assarsson 2002; Assarsson and
 // Akenine-Moller 2003; Assarsson, Dougherty, Mounier and Akenine-Moller 2003); spec 08. For each
-// layer of receivers and each light with an extent: the volumes of the light's centre are counted at
-// the receiver, and where a silhouette's edge may lie before the light, within its wedge, the share
-// of the light that it uncovers is added. Two passes a light; fill over wedges and volumes. Lights
-// without extent, and penumbrae narrower than a pixel, are those of StencilShadowVolume.
+// layer of receivers and each light with an extent: the volumes of the light's centre are counted
+// at the receiver, and where a silhouette's edge may lie before the light, within its wedge, the
+// share of the light that it uncovers is added. Two passes a light; fill over wedges and volumes.
+// Lights without extent, and penumbrae narrower than a pixel, are those of StencilShadowVolume.
 //   combine=shader  (default) sums of all wedges, in one draw; where the count of volumes may have
 //                   the centre on the other side of an edge than its share, within a pixel of hard
 //                   edges, each caster anew from its own edges and triangles
 //   combine=float   sums alone: wrong by 1 at some of these pixels
 //   combine=wrap    caster by caster: a share beyond [0, 1] is wrong by 1
 //   combine=exact   no sums: each caster's edges and triangles at every pixel
+//   coverage=lut    the source's tables in place of the closed form
+//   format=rgba8    the source's buffer: shares in steps of 1/32, of which eight may overlap
 // Casters that overlap before the light, and layers of one mesh that do, hide it twice; silhouettes
 // are those of the light's centre; shares are of the disc, whatever the receiver's horizon.
 #include <bit>
@@ -19,6 +21,7 @@
 #include "techniques/render/registry.h"
 #include "techniques/render/screen_targets.h"
 #include "techniques/scene/light_area.h"
+#include "techniques/volumes/coverage_tables.h"
 #include "techniques/volumes/hard_shadows.h"
 #include "techniques/volumes/light_wedges.h"
 
@@ -36,17 +39,17 @@ class PenumbraWedge final : public ShadowTechnique {
     m_wrap = context.knobs.is("combine", "wrap");
     uint32_t mostLights = 0, mostInView = 0;
     std::vector<LightVolumes> hard, soft;
-    m_volumes.emplace(context, VolumeBuilder::Cpu, VolumeChoice{},
-                      [&](const std::vector<LightVolumes>& lights) {
-                        mostLights = std::max(mostLights, uint32_t(lights.size()));
-                        mostInView = std::max(mostInView, uint32_t(maskSlots(context.view, lights).size()));
-                        const Volumes softNow = softOf(lights);
-                        m_wedges->reserve(softNow);
-                        for (const LightVolumes* light : softNow) soft.push_back(*light);
-                        for (const LightVolumes& light : lights)
-                          // Another eye may see a penumbra as a hard edge.
-                          if (context.view.isFree() || !isSoft(light)) hard.push_back(light);
-                      });
+    m_volumes.emplace(
+        context, VolumeBuilder::Cpu, VolumeChoice{}, [&](const std::vector<LightVolumes>& lights) {
+          mostLights = std::max(mostLights, uint32_t(lights.size()));
+          mostInView = std::max(mostInView, uint32_t(maskSlots(context.view, lights).size()));
+          const Volumes softNow = softOf(lights);
+          m_wedges->reserve(softNow);
+          for (const LightVolumes* light : softNow) soft.push_back(*light);
+          for (const LightVolumes& light : lights)
+            // Another eye may see a penumbra as a hard edge.
+            if (context.view.isFree() || !isSoft(light)) hard.push_back(light);
+        });
     if (mostLights == 0) return;
     m_mask.emplace(context, soft.empty() ? MaskKind::Binary : MaskKind::Share, mostLights,
                    mostInView);
@@ -117,11 +120,15 @@ class PenumbraWedge final : public ShadowTechnique {
 
   void prepareSoft(const std::vector<LightVolumes>& lights) {
     const Context& context = *m_context;
-    const rhi::Format format =
-        context.knobs.is("format", "r16f") ? rhi::Format::RG16Float : rhi::Format::RG32Float;
+    const bool bytes = context.knobs.is("format", "rgba8");
+    const rhi::Format format = bytes                                ? rhi::Format::RGBA8Unorm
+                               : context.knobs.is("format", "r16f") ? rhi::Format::RG16Float
+                                                                    : rhi::Format::RG32Float;
+    const bool tables = context.knobs.is("coverage", "lut");
+    if (tables) m_tables = coverageTables(context.device, context.knobs.integer("lut"));
     m_wedges->createBuffers();
-    m_sampler = context.device.createSampler(
-        {.label = "penumbra sampler", .filter = rhi::Filter::Nearest});
+    m_sampler =
+        context.device.createSampler({.label = "penumbra sampler", .filter = rhi::Filter::Nearest});
     if (!m_exact) {
       m_counter.emplace(context, CounterKind::Float, VolumeFaces::Both, format);
       m_counter->prepare(*m_volumes, lights);
@@ -129,7 +136,9 @@ class PenumbraWedge final : public ShadowTechnique {
       m_wedgePipeline = context.pipeline(
           {.label = "penumbra wedges",
            .vertex = &context.shaders.get("penumbra_wedge/wedge.vert"),
-           .fragment = &context.shaders.get("penumbra_wedge/wedge.frag"),
+           .fragment = &context.shaders.get(tables ? "penumbra_wedge/wedge_tables.frag"
+                                                   : "penumbra_wedge/wedge.frag"),
+           .constants = {{16, bytes}},
            // Backs alone: what lies in a wedge lies before them, wherever the eye is.
            .raster = {.cull = rhi::CullMode::Front, .depthClamp = true},
            .depth = {.test = true, .compare = rhi::CompareOp::LessOrEqual},
@@ -137,7 +146,7 @@ class PenumbraWedge final : public ShadowTechnique {
            .depthFormat = VolumeCounter::kDepthFormat});
     }
     const bool exactly = m_exact || context.knobs.is("combine", "shader");
-    const float least = format == rhi::Format::RG16Float ? 1e-3f : 1e-4f;
+    const float least = bytes ? 0.5f / 32 : format == rhi::Format::RG16Float ? 1e-3f : 1e-4f;
     for (uint32_t channel = 0; channel < m_mask->channels(); ++channel) {
       rhi::ColorTargetState target = m_mask->target(channel);
       if (m_wrap) {
@@ -147,11 +156,13 @@ class PenumbraWedge final : public ShadowTechnique {
       m_maskPipelines.push_back(context.pipeline(
           {.label = "penumbra mask",
            .vertex = &context.shaders.get("common/fullscreen.vert"),
-           .fragment = &context.shaders.get("penumbra_wedge/mask.frag"),
+           .fragment = &context.shaders.get(tables ? "penumbra_wedge/mask_tables.frag"
+                                                   : "penumbra_wedge/mask.frag"),
            .constants = {{16, !m_exact},
                          {17, exactly},
                          {18, m_wrap},
-                         {19, std::bit_cast<uint32_t>(least)}},
+                         {19, std::bit_cast<uint32_t>(least)},
+                         {20, bytes}},
            .targets = {target}}));
     }
   }
@@ -160,8 +171,7 @@ class PenumbraWedge final : public ShadowTechnique {
   void recordSoft(Frame& frame, const ReceiverLayer& layer, uint32_t slot, size_t soft) const {
     const LightVolumes& light = m_volumes->lights()[slot];
     if (!m_wrap) {
-      if (!m_exact)
-        recordWedges(frame, layer, light.casters, soft, m_wedges->ofLight(soft));
+      if (!m_exact) recordWedges(frame, layer, light.casters, soft, m_wedges->ofLight(soft));
       return recordMask(frame, layer, slot, soft, true);
     }
     for (size_t i = 0; i < light.casters.size(); ++i) {
@@ -174,6 +184,12 @@ class PenumbraWedge final : public ShadowTechnique {
   std::vector<rhi::Binding> bindings(const ReceiverLayer& layer, size_t soft) const {
     std::vector<rhi::Binding> bindings = m_wedges->bindings(soft);
     bindings.push_back(rhi::textureAt(TEXTURE_TECHNIQUE, layer.depth, m_sampler));
+    if (m_tables) {
+      bindings.push_back(
+          rhi::textureAt(TEXTURE_TECHNIQUE + 2, m_tables->oneSide, m_tables->sampler));
+      bindings.push_back(
+          rhi::textureAt(TEXTURE_TECHNIQUE + 3, m_tables->bothSides, m_tables->sampler));
+    }
     return bindings;
   }
 
@@ -206,8 +222,8 @@ class PenumbraWedge final : public ShadowTechnique {
     if (m_hidden) reads.push_back(rhi::use(m_hidden.id(), rhi::Access::Sampled));
     std::vector<rhi::Binding> all = bindings(layer, soft);
     // Where nothing is summed nothing reads it.
-    all.push_back(rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_hidden ? m_hidden.id() : layer.depth,
-                                 m_sampler));
+    all.push_back(
+        rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_hidden ? m_hidden.id() : layer.depth, m_sampler));
     frame.pass({.label = "shadow mask", .colors = std::span(&target, 1), .reads = reads},
                PassGroup::Shadow, [&](rhi::CommandList& commands) {
                  drawFullscreen(commands, m_maskPipelines[slot % ShadowMask::kChannels], all);
@@ -221,6 +237,7 @@ class PenumbraWedge final : public ShadowTechnique {
   std::optional<HardShadows> m_hard;
   std::optional<LightWedges> m_wedges;
   std::optional<VolumeCounter> m_counter;
+  std::optional<CoverageTables> m_tables;
   rhi::Texture m_hidden;  ///< red: by volumes and wedges; green: edges that it is unsure about
   rhi::Sampler m_sampler;
   rhi::PipelineId m_wedgePipeline;
@@ -234,11 +251,22 @@ std::vector<KnobInfo> knobs() {
            .fallback = "shader",
            .choices = {"shader", "float", "wrap", "exact"},
            .sweep = {"float", "wrap", "shader", "exact"}},
+          {.name = "coverage",
+           .help = "shares of discs in closed form, or from the source's tables",
+           .fallback = "closed",
+           .choices = {"closed", "lut"},
+           .sweep = {"lut", "closed"}},
+          {.name = "lut",
+           .unit = "nodes",
+           .help = "of the source's tables along each of their three axes",
+           .fallback = "32",
+           .choices = {"16", "32", "64", "128"},
+           .sweep = {"16", "32", "64", "128"}},
           {.name = "format",
-           .help = "of sums",
+           .help = "of sums; rgba8: the source's, in steps of 1/32",
            .fallback = "r32f",
-           .choices = {"r16f", "r32f"},
-           .sweep = {"r16f", "r32f"}}};
+           .choices = {"rgba8", "r16f", "r32f"},
+           .sweep = {"rgba8", "r16f", "r32f"}}};
 }
 
 REGISTER_TECHNIQUE(
