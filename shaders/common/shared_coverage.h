@@ -25,8 +25,7 @@ using vec2 = glm::vec2;
 using vec3 = glm::vec3;
 #define SHARED inline
 #define PRECISE
-#else
-#include "common/shared_types.h"
+#else  // after common/shared_types.h
 #define SHARED
 #define PRECISE precise
 #endif
@@ -89,7 +88,7 @@ SHARED LightSight lightSight(vec3 centre, vec3 axis0, vec3 axis1, vec3 axis2, ui
 }
 
 // `e`: from the receiver to a point. The light is moved aside by 3e-7 of its size: what was modelled
-// to lie in a plane with its centre lies to one side of it, then, for all edges that meet there.
+// to lie in a plane with its centre then lies to one side of it, for all edges that meet there.
 SHARED vec3 seenPoint(LightSight sight, vec3 e) {
   PRECISE vec3 s = vec3(sight.rowX.x * e.x + sight.rowX.y * e.y + sight.rowX.z * e.z,
                         sight.rowY.x * e.x + sight.rowY.y * e.y + sight.rowY.z * e.z,

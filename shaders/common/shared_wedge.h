@@ -6,9 +6,7 @@
 #ifdef __cplusplus
 #include "shaders/common/shared_volume.h"
 namespace sb::gpu {
-#else
-#include "common/shared_volume.h"
-#endif
+#endif  // shaders: after common/shared_volume.h
 
 #define WEDGE_CORNERS 6
 #define WEDGE_VERTICES 24u

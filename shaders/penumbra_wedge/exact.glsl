@@ -1,6 +1,6 @@
 // How much of the light each caster hides from a receiver, without rasterisation (spec 08,
-// REFERENCE_TILE): whether it hides the centre, from its triangles, less the shares of all edges of its
-// silhouette, by one arithmetic.
+// REFERENCE_TILE): whether it hides the centre, from its triangles, less the shares of all edges of
+// its silhouette, by one arithmetic.
 #include "common/transform.glsl"
 layout(binding = SLOT_STORAGE(STORAGE_TECHNIQUE + 1), std430) readonly buffer WedgeCasterBlock {
   WedgeCaster casters[];
@@ -18,7 +18,7 @@ vec3 cornerOf(VolumeData volume, uint triangle, uint corner) {
   return vec3(positions[at], positions[at + 1u], positions[at + 2u]);
 }
 
-// May anything within a sphere (relative to the eye; w: radius) lie between the receiver and the light?
+// May anything within a sphere (relative to the eye; w: radius) lie between receiver and light?
 bool mayHide(WedgeReceiver r, vec4 sphere) {
   vec3 s = seenPoint(r.sight, sphere.xyz - r.position);
   vec3 size = sphere.w * vec3(length(r.sight.rowX), length(r.sight.rowY), length(r.sight.rowZ));

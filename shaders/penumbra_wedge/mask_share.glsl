@@ -9,7 +9,7 @@ layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE)) uniform sampler2D receiverDept
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 1)) uniform sampler2D addedShares;
 
 layout(constant_id = 19) const float kLeast = 0.0;    // beyond what rounding of sums leaves
-layout(constant_id = 20) const bool kBytes = false;   // sums are those of common/volume_count.frag and of wedges
+layout(constant_id = 20) const bool kBytes = false;   // in the target of wedge_share.glsl
 
 // What count and shares disagree about is 1.
 float wrapped(float hidden) {

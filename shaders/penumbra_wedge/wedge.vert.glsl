@@ -11,6 +11,6 @@ void main() {
   gl_Position = frame.viewProjection * corner;
   // All that is seen: one triangle, of which the back is seen.
   if (w.end.w != 0.0)
-    gl_Position = vertex < 3u ? vec4(float(vertex >> 1) * 4.0 - 1.0, float(vertex & 1u) * 4.0 - 1.0, 0, 1)
+    gl_Position = vertex < 3u ? vec4(4.0 * vec2(vertex >> 1, vertex & 1u) - 1.0, 0, 1)
                               : vec4(2, 2, 2, 1);
 }

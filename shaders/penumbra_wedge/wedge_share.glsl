@@ -1,5 +1,5 @@
-// What an edge hides of the light at the receivers in its wedge, beside the count of volumes: -G; and
-// whether the two may disagree about the side on which the light's centre is.
+// What an edge hides of the light at the receivers in its wedge, beside the count of volumes: -G;
+// and whether the two may disagree about the side on which the light's centre is.
 #include "penumbra_wedge/wedges.glsl"
 layout(constant_id = 16) const bool kBytes = false;
 layout(location = 0) flat in uint v_wedge;
@@ -15,5 +15,6 @@ void main() {
   float share = wedgeShare(r, w);
   // Bytes: what uncovers and what hides, apart, in units of 1/32, eight of which may lie on another.
   vec2 units = round(32.0 * max(vec2(share, -share), 0.0)) / 255.0;
-  o_hidden = kBytes ? vec4(0, 0, units) : vec4(-share, isAtHardEdge(r, w) ? 1.0 : 0.0, 0, 0);
+  o_hidden = kBytes ? vec4(0, 0, units)
+                    : vec4(-share, isAtHardEdge(r, w) ? 1.0 : 0.0, 0, 0);
 }

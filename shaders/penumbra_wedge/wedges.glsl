@@ -1,6 +1,7 @@
 // The wedges and casters of the light at hand, and how a receiver sees that light.
 #include "common/scene.glsl"
 #include "common/shared_coverage.h"
+#include "common/shared_volume.h"
 #include "common/shared_wedge.h"
 #include "common/position.glsl"
 
@@ -35,8 +36,8 @@ WedgeReceiver wedgeReceiver(vec2 window, float depth) {
 }
 
 #ifdef COVERAGE_TABLES
-// The source's tables of discs: by |d0| and how far the ends are from the foot of the centre, of edges
-// whose ends lie on one side of it and of others.
+// The source's tables of discs: by |d0| and how far the ends are from the foot of the centre, of
+// edges whose ends lie on one side of it and of others.
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 2)) uniform sampler3D oneSide;
 layout(binding = SLOT_TEXTURE(TEXTURE_TECHNIQUE + 3)) uniform sampler3D bothSides;
 

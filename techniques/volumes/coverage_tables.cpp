@@ -17,11 +17,14 @@ rhi::Texture table(rhi::Device& device, uint32_t size, bool oneSide) {
                                                .depth = size,
                                                .use = U::Sampled | U::CopyTarget});
   const auto at = [&](uint32_t node) { return float(node) / float(size - 1); };
-  std::vector<uint16_t> slice(size_t(size) * size);
+  std::vector<float> parts(size_t(size) * size);  // by end, then distance
+  for (size_t i = 0; i < parts.size(); ++i)
+    parts[i] = gpu::discPart(at(uint32_t(i % size)), at(uint32_t(i / size)));
+  std::vector<uint16_t> slice(parts.size());
   for (uint32_t z = 0; z < size; ++z) {
     for (uint32_t y = 0; y < size; ++y)
       for (uint32_t x = 0; x < size; ++x) {
-        const float a = gpu::discPart(at(x), at(y)), b = gpu::discPart(at(x), at(z));
+        const float a = parts[size_t(y) * size + x], b = parts[size_t(z) * size + x];
         slice[size_t(y) * size + x] = glm::packHalf1x16(oneSide ? std::abs(a - b) : a + b);
       }
     device.upload(texture, {.layer = z}, std::as_bytes(std::span(slice)));

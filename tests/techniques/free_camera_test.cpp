@@ -151,7 +151,8 @@ GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
 }
 
 GPU_TEST(FreeCamera, PenumbraeAreThoseOfAStandingCamera) {
-  expectPicturesOfStandingCameras(device(), softened(inhabited(true)), shownBy("PenumbraWedge"));
+  expectPicturesOfStandingCameras(device(), withSoftLights(inhabited(true)),
+                                  shownBy("PenumbraWedge"));
 }
 
 GPU_TEST(FreeCamera, BeforeItIsSetEverythingIsSeen) {

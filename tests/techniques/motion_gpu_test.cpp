@@ -88,10 +88,7 @@ GPU_TEST(Motion, ShadowVolumesFollowTheWorldHoweverTheyAreBuilt) {
 }
 
 GPU_TEST(Motion, PenumbraeFollowTheWorld) {
-  expectFramesOfStandingScenes(device(), softened(restless()), optionsOf("PenumbraWedge"));
-  for (const char* combine : {"wrap", "exact"})
-    expectFramesOfStandingScenes(device(), softened(inhabited(false)),
-                                 optionsOf("PenumbraWedge", {{"combine", combine}}));
+  expectFramesOfStandingScenes(device(), withSoftLights(restless()), optionsOf("PenumbraWedge"));
 }
 
 GPU_TEST(Motion, TransparencyTechniquesDrawAWorldThatStands) {

@@ -107,7 +107,7 @@ inline Scene restless() {
 }
 
 /// Every light with an extent.
-inline Scene softened(Scene scene) {
+inline Scene withSoftLights(Scene scene) {
   for (Light& light : scene.lights)
     if (light.type == LightType::Directional)
       light.angularRadius = 0.05;

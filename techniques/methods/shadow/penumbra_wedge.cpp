@@ -269,6 +269,10 @@ std::vector<KnobInfo> knobs() {
            .sweep = {"rgba8", "r16f", "r32f"}}};
 }
 
+std::map<std::string, std::string> breaks() {
+  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+}
+
 REGISTER_TECHNIQUE(
     ShadowTechnique, PenumbraWedge,
     (TechniqueInfo{
@@ -282,6 +286,7 @@ REGISTER_TECHNIQUE(
         .knobs = knobs(),
         .error = "where casters, or layers of one, overlap before a light they hide it twice; "
                  "silhouettes are those of the light's centre; perforated casters are whole",
+        .breaksIn = breaks(),
         .receiversByLayer = true}));
 
 }  // namespace
