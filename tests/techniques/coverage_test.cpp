@@ -154,6 +154,17 @@ TEST(Coverage, TheCentreOnAnEdgeOrVertexIsSeenFromOneSideByAll) {
     }
 }
 
+TEST(Coverage, EdgesThroughTheCentreOfSquaresTakeTheSideThatIsCounted) {
+  // To the last bit: nothing is moved aside here.
+  for (const vec2 way : {vec2(1, 0), vec2(0, 1), vec2(1, 1), vec2(-1, 1), vec2(0.5f, 1)}) {
+    const vec3 a(way, 0.5f), b(-way, 0.5f);
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+      EXPECT_NEAR(edgeShare(unitSight(SEEN_SQUARE), from, to),
+                  gpu::isLeft(gpu::lineThrough(from, to)) ? 0.5 : -0.5, 1e-6)
+          << way.x << " " << way.y;
+  }
+}
+
 TEST(Coverage, WhatLiesBehindTheReceiverOrBeyondTheLightHidesNothing) {
   // A wall beside the axis that goes from behind the receiver to beyond the light; cut off at the
   // light it covers the same.
@@ -166,6 +177,9 @@ TEST(Coverage, WhatLiesBehindTheReceiverOrBeyondTheLightHidesNothing) {
   EXPECT_NEAR(coveredBy(sight, wall(0.5f)), expected, 1e-6);
   EXPECT_EQ(coveredBy(sight, wall(1.5f)), 0);
   EXPECT_EQ(coveredBy(sight, wall(-0.5f)), 0);
+  // Around the axis.
+  for (const float z : {1.5f, -1.5f})
+    EXPECT_EQ(coveredBy(sight, {{-9, -9, z}, {9, -9, z}, {0, 9, z}}), 0) << z;
   // Along the axis' direction: from z -1 to 3 at x .2 z, which projects to a point of x.
   EXPECT_NEAR(edgeShare(sight, {-0.2f, -9, -1}, {0.6f, 27, 3}),
               edgeShare(sight, {0.2f * 1e-3f, 9e-3f, 1e-3f}, {0.2f, 9, 1}), 1e-6);
@@ -219,6 +233,9 @@ TEST(Coverage, LightsAreSeenAsTheTruthSeesThem) {
     expectSeenAsPatch(other, {3, -4, 5}, 1e-5);
     expectSeenAsPatch(other, {3, -4, -5}, 1e-5);
   }
+  EXPECT_EQ(
+      gpu::lightSight({20, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, SHAPE_RECTANGLE, false).seen,
+      SEEN_SQUARE);
   // In its plane.
   EXPECT_EQ(
       gpu::lightSight({3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, SHAPE_RECTANGLE, false).seen,
