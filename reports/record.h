@@ -35,6 +35,7 @@ struct PassRecord {
   uint32_t count = 1;  ///< passes
   double ms = 0;     ///< median over stamped frames
   double share = 0;  ///< of the stamped frame
+  double recordMs = 0;  ///< CPU time of the thread that recorded them, in the same frames
   uint64_t draws = 0;
   uint64_t triangles = 0;
   std::optional<uint64_t> fragments;
@@ -90,6 +91,8 @@ struct Record {
   uint64_t triangleCount = 0;
   uint64_t bytes = 0;
   std::map<std::string, uint64_t> bytesByLabel;
+  /// What else the technique counts in the last frame: volumes drawn, casters left out.
+  std::map<std::string, uint64_t> counts;
   // verified
   std::optional<bool> stable;                 ///< the timed run's picture equals the untimed one
   std::optional<int> crossBackendMax255;      ///< largest difference to another backend, in 1/255

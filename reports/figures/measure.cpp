@@ -29,11 +29,13 @@ const RegionError* regionOf(const Record& r, const std::string& name) {
   return found == r.visibilityRegions.end() ? nullptr : &*found;
 }
 
-std::optional<double> passesOf(const Record& r, const std::string& glob, bool draws) {
+/// Sum over the passes of a label.
+template <class Count>
+std::optional<double> passesOf(const Record& r, const std::string& glob, Count PassRecord::*count) {
   double sum = 0;
   const base::Pattern wanted = base::Pattern::glob(glob);
   for (const PassRecord& p : r.passes)
-    if (wanted.found(p.label)) sum += double(draws ? p.draws : p.count);
+    if (wanted.found(p.label)) sum += double(p.*count);
   return r.passes.empty() ? std::nullopt : std::optional(sum);
 }
 
@@ -53,12 +55,18 @@ const std::map<std::string, Measure>& measures() {
       {"passes",
        {"passes", false, true,
         [](R r, A a) {
-          return a.empty() ? std::optional(double(r.passCount)) : passesOf(r, a, false);
+          return a.empty() ? std::optional(double(r.passCount)) : passesOf(r, a, &PassRecord::count);
         }}},
       {"draws",
        {"draws", false, true,
         [](R r, A a) {
-          return a.empty() ? std::optional(double(r.drawCount)) : passesOf(r, a, true);
+          return a.empty() ? std::optional(double(r.drawCount)) : passesOf(r, a, &PassRecord::draws);
+        }}},
+      {"triangles",
+       {"triangles", false, true,
+        [](R r, A a) {
+          return a.empty() ? std::optional(double(r.triangleCount))
+                           : passesOf(r, a, &PassRecord::triangles);
         }}},
       {"bytes",
        {"bytes", false, true,
@@ -69,6 +77,12 @@ const std::map<std::string, Measure>& measures() {
           for (const auto& [label, bytes] : r.bytesByLabel)
             if (wanted.found(label)) sum += double(bytes);
           return sum;
+        }}},
+      {"counts",
+       {"counts", false, true,
+        [](R r, A a) -> std::optional<double> {
+          const auto count = r.counts.find(std::string(a));
+          return count == r.counts.end() ? std::nullopt : std::optional(double(count->second));
         }}},
       {"visibility",
        {"visibility RMSE", false, false,

@@ -2,7 +2,8 @@
 //   time                compared time: CPU time on software devices, else the frame's, ms
 //   cpu_ms frame_ms     medians
 //   shadow_ms scene_ms combined_ms stamped_frame_ms    from frames with stamps between passes
-//   passes draws bytes  of a frame; passes:GLOB draws:GLOB bytes:GLOB by label
+//   passes draws triangles bytes    of a frame; passes:GLOB ... bytes:GLOB by label
+//   counts:NAME         what the technique counts: "counts:volumes drawn"
 //   visibility image    RMSE; also visibility_interior (away from edges) visibility_bias flip noise
 //   layer:N             visibility RMSE of layer N (0: first opaque surface)
 //   region:NAME region_noise:NAME    visibility RMSE and noise of a region

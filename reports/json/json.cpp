@@ -70,6 +70,7 @@ void putTimes(Json& out, const Record& r) {
                  {"count", p.count},
                  {"ms", p.ms},
                  {"share", p.share},
+                 {"record_ms", p.recordMs},
                  {"draws", p.draws},
                  {"triangles", p.triangles}};
     pass["fragments"] = p.fragments ? Json(*p.fragments) : Json(nullptr);
@@ -98,6 +99,7 @@ void putResults(Json& out, const Record& r) {
   out["triangle_count"] = r.triangleCount;
   out["bytes"] = r.bytes;
   out["bytes_by_label"] = r.bytesByLabel;
+  out["counts"] = r.counts;
   put(out, r, "nonfinite", r.nonfinite);
   put(out, r, "stable", r.stable);
   put(out, r, "cross_backend_max_255", r.crossBackendMax255);

@@ -55,6 +55,7 @@ PassRecord readPass(const Field& f) {
                   .draws = f.at("draws").integer<uint64_t>(),
                   .triangles = f.at("triangles").integer<uint64_t>(),
                   .fragments = {}};
+  if (auto ms = f.find("record_ms")) pass.recordMs = ms->number();
   if (auto fragments = f.find("fragments")) pass.fragments = fragments->integer<uint64_t>();
   return pass;
 }
@@ -99,6 +100,8 @@ void readResults(const Field& e, Record& r) {
   if (auto labels = e.find("bytes_by_label"))
     for (const auto& [label, bytes] : labels->members())
       r.bytesByLabel[label] = bytes.integer<uint64_t>();
+  if (auto counts = e.find("counts"))
+    for (const auto& [name, count] : counts->members()) r.counts[name] = count.integer<uint64_t>();
   if (auto f = e.find("nonfinite")) r.nonfinite = f->integer<uint64_t>();
   if (auto f = e.find("stable")) r.stable = f->boolean();
   if (auto f = e.find("cross_backend_max_255")) r.crossBackendMax255 = f->signedInteger();

@@ -184,6 +184,7 @@ class Group {
     addOnce(record.contamination, "this is a debug build");
 #endif
     for (const std::string& w : a.subject().warnings()) addOnce(record.warnings, w);
+    for (const auto& [name, count] : a.subject().counts()) record.counts[name] = count;
     if (isUniform(result.picture)) addOnce(record.warnings, "the picture has a single colour");
     for (const std::string& why : {whyRefused(record), whyImplausible(a.samples(), a.software())})
       if (!why.empty()) return report::refuse(record, why);

@@ -30,6 +30,7 @@ class RendererSubject final : public Subject {
   std::vector<rhi::Message> takeMessages() override { return m_session.device->takeMessages(); }
   std::string passesUntrusted() const override { return m_passesUntrusted; }
   std::vector<std::string> warnings() override { return m_renderer->warnings(); }
+  std::vector<std::pair<std::string, uint64_t>> counts() override { return m_renderer->counts(); }
 
   std::vector<uint32_t> lights() const override { return m_renderer->lights(); }
   std::vector<VisibilityImage> visibility(uint32_t light, uint32_t seed) override {

@@ -38,6 +38,9 @@ class Subject {
   /// What the last frame left out, for people.
   virtual std::vector<std::string> warnings() { return {}; }
 
+  /// What the last frame came to, by name.
+  virtual std::vector<std::pair<std::string, uint64_t>> counts() { return {}; }
+
   // What the truth is asked too: where its camera stands, after everything that is timed.
 
   /// Lights that it answers for, as indices into Scene::lights.

@@ -41,10 +41,21 @@ void FrameQueries::grow(rhi::Device& device, uint32_t passes) {
 Frame::Frame(rhi::CommandList& commands, FrameQueries& queries, FrameMode mode)
     : m_commands(commands), m_queries(queries), m_mode(mode) {}
 
+double Frame::threadMs() const {
+  return m_mode == FrameMode::Stamped ? clockMs(CLOCK_THREAD_CPUTIME_ID) : 0;
+}
+
+double Frame::recordedSince(double start, size_t first) const {
+  double ms = threadMs() - start;
+  for (size_t i = first; i < m_passes.size(); ++i) ms -= m_passes[i].recordMs;
+  return ms;
+}
+
 void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
                  const std::function<void(rhi::CommandList&)>& body) {
   const uint32_t index = uint32_t(m_passes.size());
   const bool hasQuery = index < m_queries.capacity();
+  const double start = threadMs();
   const rhi::Counters before = m_commands.counters();
   {
     rhi::PassScope scope = m_commands.beginPass(desc);
@@ -60,16 +71,25 @@ void Frame::pass(const rhi::PassDesc& desc, PassGroup group,
                       .group = group,
                       .counters = m_commands.counters() - before,
                       .ms = {},
+                      .recordMs = recordedSince(start, index),
                       .fragments = {}});
 }
 
 void Frame::between(const std::string& label, PassGroup group,
                     const std::function<void(rhi::CommandList&)>& body) {
-  const uint32_t index = uint32_t(m_passes.size());
+  const double start = threadMs();
+  const size_t first = m_passes.size();
   body(m_commands);
+  // Behind what is told apart within it.
+  const uint32_t index = uint32_t(m_passes.size());
   if (m_mode == FrameMode::Stamped && m_queries.hasStamps() && index < m_queries.capacity())
     m_commands.timestamp(m_queries.stamps(), index + 1);
-  m_passes.push_back({.label = label, .group = group, .counters = {}, .ms = {}, .fragments = {}});
+  m_passes.push_back({.label = label,
+                      .group = group,
+                      .counters = {},
+                      .ms = {},
+                      .recordMs = recordedSince(start, first),
+                      .fragments = {}});
 }
 
 FrameResult FrameRunner::run(FrameMode mode, const std::function<void(Frame&)>& record) {

@@ -22,6 +22,7 @@ struct PassResult {
   PassGroup group = PassGroup::Scene;
   rhi::Counters counters;             ///< of this pass alone
   std::optional<double> ms;           ///< stamped frames
+  double recordMs = 0;  ///< stamped frames: CPU time of this thread, what is told apart within not
   std::optional<uint64_t> fragments;  ///< counted frames: fragment shader invocations
 };
 
@@ -78,6 +79,11 @@ class Frame {
 
  private:
   friend class FrameRunner;
+  /// CPU time of this thread in stamped frames, else 0: a plain frame asks no clock between passes.
+  double threadMs() const;
+  /// What recording from `start` on took beyond the passes from `first` on.
+  double recordedSince(double start, size_t first) const;
+
   rhi::CommandList& m_commands;
   FrameQueries& m_queries;
   FrameMode m_mode;

@@ -160,13 +160,6 @@ std::vector<VisibilityImage> Renderer::visibilityAtEnd(uint32_t light, uint32_t 
   return readVisibility(light);
 }
 
-std::vector<std::string> Renderer::warnings() {
-  std::vector<std::string> all = m_camera->warnings();
-  if (!m_technique) return all;
-  for (std::string& warning : m_technique->warnings()) all.push_back(std::move(warning));
-  return all;
-}
-
 LookupReach Renderer::reach(uint32_t light) const {
   return m_technique ? m_technique->reach(light) : LookupReach{};
 }

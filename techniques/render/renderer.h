@@ -72,7 +72,12 @@ class Renderer {
   void setSeed(uint32_t seed);
 
   /// What the last frame left out, for people. Call between frames.
-  std::vector<std::string> warnings();
+  std::vector<std::string> warnings() { return m_camera->warnings(); }
+
+  /// ShadowTechnique::counts().
+  std::vector<std::pair<std::string, uint64_t>> counts() const {
+    return m_technique ? m_technique->counts() : std::vector<std::pair<std::string, uint64_t>>();
+  }
 
   const Plan& plan() const { return m_plan; }
   const SceneView& view() const { return *m_view; }

@@ -120,9 +120,8 @@ class ShadowTechnique {
   virtual void recordPart(Frame&, size_t) {}
   /// Textures that tests may look at: label and texture of each map.
   virtual std::vector<std::pair<std::string, rhi::TextureId>> maps() const { return {}; }
-  /// What the last frame did that its picture or cost suffers from: for people, one line each. Called
-  /// between frames.
-  virtual std::vector<std::string> warnings() { return {}; }
+  /// What the last frame came to, by names that records keep: volumes drawn, casters left out.
+  virtual std::vector<std::pair<std::string, uint64_t>> counts() const { return {}; }
   /// How far lookups for a light (index into Scene::lights) reach: errors within that distance of a
   /// shadow's edge are blamed on resolution. Nothing for techniques without maps.
   virtual LookupReach reach(uint32_t) const { return {}; }

@@ -123,26 +123,19 @@ CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32
 
 }  // namespace
 
-std::vector<uint32_t> volumeCasters(const LightEffects& light) {
-  std::vector<uint32_t> casters;
-  if (!light.touchesView) return casters;
-  std::ranges::set_union(light.opaqueCasters, light.perforatedCasters, std::back_inserter(casters));
-  return casters;
-}
-
 std::vector<LightVolumes> lightVolumes(const SceneView& view, const EdgeBuffers& edges,
-                                       const VolumeChoice& choice) {
-  std::vector<LightVolumes> lights;
+                                       const VolumeChoice& choice,
+                                       const std::vector<LightCasters>& lights) {
+  std::vector<LightVolumes> volumes;
   uint32_t number = 0;
-  for (const LightEffects& effects : view.effects().lights) {
-    const std::vector<uint32_t> casters = volumeCasters(effects);
-    if (casters.empty()) continue;
-    const VolumeScene scene = volumeScene(view, choice, effects.light);
-    LightVolumes& light = lights.emplace_back(LightVolumes{.light = effects.light, .casters = {}});
-    for (const uint32_t instance : casters)
-      light.casters.emplace_back(casterVolume(scene, edges, instance)).number = number++;
+  for (const LightCasters& light : lights) {
+    const VolumeScene scene = volumeScene(view, choice, light.light);
+    LightVolumes& made = volumes.emplace_back(
+        LightVolumes{.light = light.light, .casters = {}, .scissor = light.scissor});
+    for (const uint32_t instance : light.instances)
+      made.casters.emplace_back(casterVolume(scene, edges, instance)).number = number++;
   }
-  return lights;
+  return volumes;
 }
 
 }  // namespace sb

@@ -8,6 +8,7 @@
 #include "shaders/common/shared_volume.h"
 #include "techniques/draw/scene_view.h"
 #include "techniques/volumes/edge_buffers.h"
+#include "techniques/volumes/shadow_culling.h"
 
 namespace sb {
 
@@ -39,13 +40,12 @@ struct CasterVolume {
 struct LightVolumes {
   uint32_t light = 0;  ///< index into Scene::lights
   std::vector<CasterVolume> casters;
+  std::optional<rhi::Rect> scissor = {};  ///< as LightCasters
 };
 
-/// Instances that cast in a light. Perforated ones are whole triangles here.
-std::vector<uint32_t> volumeCasters(const LightEffects& light);
-
-/// Of lights that something casts in, as they are now. `edges`: of all their casters.
+/// The volumes of casters where they are now. `edges`: of all of them.
 std::vector<LightVolumes> lightVolumes(const SceneView& view, const EdgeBuffers& edges,
-                                       const VolumeChoice& choice);
+                                       const VolumeChoice& choice,
+                                       const std::vector<LightCasters>& lights);
 
 }  // namespace sb

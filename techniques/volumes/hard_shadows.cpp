@@ -64,7 +64,7 @@ void HardShadows::recordVolumes(Frame& frame, const ReceiverLayer& layer,
               .reads = reads},
              PassGroup::Shadow, [&](rhi::CommandList& commands) {
                for (const LightVolumes& light : lights)
-                 m_counter.draw(commands, volumes, light.casters);
+                 m_counter.draw(commands, volumes, light, light.casters);
              });
 }
 

@@ -18,16 +18,17 @@ uint64_t aligned(uint64_t value, uint64_t to) { return (value + to - 1) / to * t
 }  // namespace
 
 ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
-                             const VolumeChoice& choice,
+                             const VolumeChoice& choice, const CullingChoice& culling,
                              const std::function<void(const std::vector<LightVolumes>&)>& visit)
-    : m_context(context), m_builder(builder), m_choice(choice) {
+    : m_context(context), m_builder(builder), m_choice(choice), m_culling(context.view, culling) {
   m_edges = EdgeBuffers(context.device, context.view.gpu(),
                         {.edges = STORAGE_TECHNIQUE,
                          .corners = STORAGE_TECHNIQUE + 1,
                          .positions = STORAGE_TECHNIQUE + 2},
                         casterMeshes());
   context.view.alongPath(context.device, [&] {
-    update();
+    // From anywhere a camera may see all that is lit.
+    update(context.view.isFree() ? m_culling.all() : m_culling.casters());
     visit(m_lights);
   });
   createBuffers();
@@ -45,15 +46,14 @@ ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
 
 std::vector<uint32_t> ShadowVolumes::casterMeshes() const {
   std::set<uint32_t> meshes;
-  // Outside `alongPath` the view shows all that any step does.
-  for (const LightEffects& light : m_context.view.effects().lights)
-    for (const uint32_t instance : volumeCasters(light))
+  for (const LightCasters& light : m_culling.all())
+    for (const uint32_t instance : light.instances)
       meshes.insert(m_context.view.scene().instances[instance].mesh);
   return {meshes.begin(), meshes.end()};
 }
 
-void ShadowVolumes::update() {
-  m_lights = lightVolumes(m_context.view, m_edges, m_choice);
+void ShadowVolumes::update(const std::vector<LightCasters>& casters) {
+  m_lights = lightVolumes(m_context.view, m_edges, m_choice, casters);
   m_items.clear();
   m_firstItem.clear();
   m_itemCount = 0;
@@ -154,8 +154,21 @@ void ShadowVolumes::write(const Write& write) const {
   if (!m_items.empty()) write(m_itemLists, std::as_bytes(std::span(m_items)));
 }
 
+std::vector<std::pair<std::string, uint64_t>> ShadowVolumes::counts() const {
+  auto counts = namedCounts(m_culling.counts());
+  if (m_builder != VolumeBuilder::Cpu) return counts;  // nobody else knows
+  uint64_t edges = 0;
+  for (const LightVolumes& light : m_lights)
+    for (const CasterVolume& volume : light.casters) edges += volume.items[VOLUME_SIDES];
+  counts.emplace_back("silhouette edges", edges);
+  return counts;
+}
+
 void ShadowVolumes::moved(Frame& frame) {
-  update();
+  std::vector<LightCasters> casters;
+  frame.between("shadow management", PassGroup::Shadow,
+                [&](rhi::CommandList&) { casters = m_culling.casters(); });
+  update(casters);
   bind();
   write([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
     frame.commands().write(buffer, 0, bytes);
@@ -185,6 +198,12 @@ void ShadowVolumes::record(Frame& frame) {
 rhi::GraphicsPipelineDesc ShadowVolumes::pipeline(uint32_t part) const {
   const auto shader = [&](const char* name) { return &m_context.shaders.get(name); };
   rhi::GraphicsPipelineDesc desc{.constants = {{16, part}, {17, m_choice.finite}}};
+  if (hasGeometryShader(part)) {
+    desc.vertex = shader("common/volume_edges.vert");
+    desc.geometry = shader("common/volume_edges.geom");
+    desc.topology = rhi::Topology::PointList;
+    return desc;
+  }
   desc.vertex = shader(listed() ? "common/volume_listed.vert" : "common/volume_everywhere.vert");
   return desc;
 }
@@ -196,14 +215,18 @@ std::vector<rhi::ResourceUse> ShadowVolumes::reads() const {
 }
 
 void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
-                         const CasterVolume& volume, uint32_t part) const {
-  const rhi::DrawState state{.pipeline = pipeline, .bindings = m_bindings[volume.number]};
+                         const LightVolumes& light, const CasterVolume& volume,
+                         uint32_t part) const {
+  const rhi::DrawState state{.pipeline = pipeline,
+                             .bindings = m_bindings[volume.number],
+                             .scissor = light.scissor};
   if (m_builder == VolumeBuilder::Compute) {
     const uint64_t at = (volume.data.lists.w + 4 * uint64_t(part)) * 4;
     commands.drawIndirect(state, {.buffer = m_arguments, .offset = at});
     return;
   }
-  const uint32_t vertices = volume.vertices(part);
+  const uint32_t vertices =
+      hasGeometryShader(part) ? volume.data.counts.x : volume.vertices(part);
   if (vertices > 0) commands.draw(state, {.vertexCount = vertices});
 }
 

@@ -1,6 +1,7 @@
 // Shadow volumes on the device, however their items are found:
 //   Cpu       the silhouette on the CPU, uploaded when light, caster or camera have moved
 //   Vertex    sides at every edge, caps at every triangle, most of them without area
+//   Geometry  the same, but for sides, which a geometry shader makes of a list of edges
 //   Compute   a compute shader appends to lists that are drawn indirectly, every frame
 // All draw the same bits.
 #pragma once
@@ -13,12 +14,13 @@
 
 namespace sb {
 
-enum class VolumeBuilder : uint8_t { Cpu, Vertex, Compute };
+enum class VolumeBuilder : uint8_t { Cpu, Vertex, Geometry, Compute };
 
 class ShadowVolumes {
  public:
   /// For a view that shows a whole path. `visit`: told the volumes of every step.
   ShadowVolumes(const Context& context, VolumeBuilder builder, const VolumeChoice& choice,
+                const CullingChoice& culling,
                 const std::function<void(const std::vector<LightVolumes>&)>& visit);
 
   /// Of this step: of lights that something casts in.
@@ -29,6 +31,8 @@ class ShadowVolumes {
                                       volume.items[part]);
   }
   const EdgeBuffers::MeshEdges& edges(uint32_t mesh) const { return m_edges.of(mesh); }
+  /// Of this step, as records name them: what was left out, and what is drawn.
+  std::vector<std::pair<std::string, uint64_t>> counts() const;
 
   /// Within a frame, after the view has moved.
   void moved(Frame& frame);
@@ -39,16 +43,19 @@ class ShadowVolumes {
   rhi::GraphicsPipelineDesc pipeline(uint32_t part) const;
   /// What passes that draw volumes read.
   std::vector<rhi::ResourceUse> reads() const;
-  void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const CasterVolume& volume,
-            uint32_t part) const;
+  void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const LightVolumes& light,
+            const CasterVolume& volume, uint32_t part) const;
 
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
+  bool hasGeometryShader(uint32_t part) const {
+    return m_builder == VolumeBuilder::Geometry && part == VOLUME_SIDES;
+  }
   bool listed() const {
     return m_builder == VolumeBuilder::Cpu || m_builder == VolumeBuilder::Compute;
   }
   std::vector<uint32_t> casterMeshes() const;
-  void update();
+  void update(const std::vector<LightCasters>& casters);
   /// Room for the lists of the casters wherever a camera stands that is set freely.
   uint64_t itemsFromAnywhere() const;
   void findItems(CasterVolume& volume, uint32_t light);
@@ -59,6 +66,7 @@ class ShadowVolumes {
   const Context m_context;
   const VolumeBuilder m_builder;
   const VolumeChoice m_choice;
+  ShadowCulling m_culling;
   EdgeBuffers m_edges;
   std::vector<LightVolumes> m_lights;
   Silhouettes m_silhouettes;

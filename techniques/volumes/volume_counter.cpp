@@ -65,11 +65,11 @@ void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<Ligh
 }
 
 void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
-                         std::span<const CasterVolume> casters) const {
+                         const LightVolumes& light, std::span<const CasterVolume> casters) const {
   for (const rhi::CullMode cull : culls())
     for (const CasterVolume& volume : casters)
       for (const uint32_t part : volume.parts)
-        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), volume, part);
+        volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), light, volume, part);
 }
 
 }  // namespace sb

@@ -29,8 +29,8 @@ class VolumeCounter {
   /// Makes what drawing these volumes needs.
   void prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights);
   /// Within a pass over the receivers' depth, read only: its stencil counts, or the one colour
-  /// target. Both start at 0, and are 0 where no volume is.
-  void draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
+  /// target. Both start at 0, and are 0 where no volume is. `casters`: of the light, all or some.
+  void draw(rhi::CommandList& commands, const ShadowVolumes& volumes, const LightVolumes& light,
             std::span<const CasterVolume> casters) const;
 
  private:

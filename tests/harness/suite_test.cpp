@@ -246,7 +246,8 @@ TEST(Suite, EveryBuiltInSuiteSelectsCells) {
     const auto cells = suiteCells(suite, {}, kBackendNames, kDefaultBackends);
     EXPECT_TRUE(cells.size() > 5 || !suite.stability.empty()) << name;
     const auto figures = suiteFigures(suite, {}, kBackendNames, kDefaultBackends);
-    EXPECT_EQ(name.starts_with("coloured_"), !figures.empty()) << name;
+    EXPECT_EQ(name.starts_with("coloured_") || name.starts_with("stencil_"), !figures.empty())
+        << name;
     std::set<std::string> names;
     for (const CellId& id : cells) EXPECT_TRUE(names.insert(cellName(id)).second) << cellName(id);
   }

@@ -23,15 +23,17 @@ Record cell(const std::string& technique, const std::string& backend, int quads,
       .name = technique + "/" + backend + "/" + scene + "/64x64",
       .timeSource = "software",
       .cpu = Distribution{.median = ms},
-      .passes = {{.label = "shadow map", .count = 2, .draws = 7}, {.label = "opaque", .draws = 3}},
+      .passes = {{.label = "shadow map", .count = 2, .draws = 7, .triangles = 24}, {.label = "opaque", .draws = 3}},
       .shadowMs = ms / 4,
       .sceneMs = ms / 2,
       .combinedMs = ms * 3 / 4,
       .stampedFrameMs = ms,
       .precision = precision,
       .passCount = 3,
+      .triangleCount = 36,
       .bytes = 3072,
-      .bytesByLabel = {{"camera colour", 1024}, {"shadow map", 2048}}};
+      .bytesByLabel = {{"camera colour", 1024}, {"shadow map", 2048}},
+      .counts = {{"volumes drawn", 5}}};
   return r;
 }
 
@@ -87,6 +89,9 @@ TEST(Figures, MeasuresAreNamed) {
   EXPECT_EQ(value("passes:shadow*"), 2);
   EXPECT_EQ(value("passes:*"), 3);
   EXPECT_EQ(value("draws:opaque"), 3);
+  EXPECT_EQ(value("triangles"), 36);
+  EXPECT_EQ(value("triangles:shadow*"), 24);
+  EXPECT_EQ(value("counts:volumes drawn"), 5);
   EXPECT_EQ(value("bytes"), 3072);
   EXPECT_EQ(value("bytes:*map"), 2048);
   EXPECT_EQ(value("layer:2"), 0.5);

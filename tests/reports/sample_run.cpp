@@ -96,6 +96,7 @@ Record good() {
   r.passes = {{.label = "shadow map",
                .ms = 1,
                .share = 0.25,
+               .recordMs = 0.0625,
                .draws = 1,
                .triangles = 12,
                .fragments = 4096},
@@ -126,6 +127,7 @@ Record good() {
   r.triangleCount = 36;
   r.bytes = 3 << 20;
   r.bytesByLabel = {{"camera colour", 1 << 20}, {"shadow map", 2 << 20}};
+  r.counts = {{"volumes drawn", 5}};
   r.stable = true;
   r.crossBackendMax255 = 1;
   r.crossBackendOver1 = 0;

@@ -48,7 +48,7 @@ TEST(Procedural, CanonicalSpecs) {
 }
 
 TEST(Procedural, InfosAreComplete) {
-  EXPECT_EQ(proceduralScenes().size(), 7u);
+  EXPECT_EQ(proceduralScenes().size(), 11u);
   for (const SceneInfo& scene : proceduralScenes()) {
     EXPECT_FALSE(scene.help.empty());
     for (const SceneParam& param : scene.params) {

@@ -145,7 +145,7 @@ GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
   // The third place stands in the shadow of this box, which none of the others does.
   Scene scene = furnished(false);
   addBox(scene, add(scene, matte()), {-1.6f, 4, 0.5f}, {0.4f, 4.5f, 2.5f});
-  for (const char* build : {"cpu", "vertex", "compute"})
+  for (const char* build : {"cpu", "vertex", "geometry", "compute"})
     expectPicturesOfStandingCameras(device(), scene,
                                     shownBy("StencilShadowVolume", {{"build", build}}));
 }

@@ -80,7 +80,7 @@ GPU_TEST(Motion, OrdersFromTheLightFollowTheWorld) {
 }
 
 GPU_TEST(Motion, ShadowVolumesFollowTheWorldHoweverTheyAreBuilt) {
-  for (const char* build : {"cpu", "vertex", "compute"})
+  for (const char* build : {"cpu", "vertex", "geometry", "compute"})
     expectFramesOfStandingScenes(device(), restless(),
                                  optionsOf("StencilShadowVolume", {{"build", build}}));
   expectFramesOfStandingScenes(device(), inhabited(true),

@@ -20,7 +20,7 @@ Scene opaque(Scene scene) {
 }
 
 const std::vector<Setting> kBuilds = {
-    {{"build", "cpu"}}, {{"build", "vertex"}}, {{"build", "compute"}}};
+    {{"build", "cpu"}}, {{"build", "vertex"}}, {{"build", "geometry"}}, {{"build", "compute"}}};
 
 }  // namespace
 

@@ -22,6 +22,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/penumbra_wedge_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shadow_culling_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_limits_test.cpp ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
@@ -39,6 +40,8 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/coverage_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/scene_tree_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/volume_bounds_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/edge_mesh_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/graph_levels_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/hash_test.cpp

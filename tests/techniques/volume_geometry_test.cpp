@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "suites/scenes/procedural/procedural.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/volumes/near_pyramid.h"
 #include "techniques/volumes/silhouette.h"
@@ -142,6 +143,21 @@ TEST(ShadowVolume, CastersBetweenLightAndNearRectangleAreFound) {
   EXPECT_FALSE(meetsNearPyramid(near, behind, {0, 0, -5}, 0.1)) << "before the eye";
   // In the rectangle's plane there is no pyramid.
   EXPECT_TRUE(meetsNearPyramid(near, {5, 5, -camera.nearPlane, 1}, {100, 0, 0}, 0.1));
+}
+
+TEST(ShadowVolume, TheBenchmarkScenesHaveTheEdgesOfTheSource) {
+  const auto device = null_backend::makeBackend()->open({});
+  CellDevice shared(*device);
+  for (const auto& [lights, objects, edges] :
+       {std::tuple{1, 1, 4.0}, {2, 4, 64.0}, {7, 10, 538.0}, {7, 13, 756.0}}) {
+    const Scene scene = makeScene("wedges:lights=" + std::to_string(lights) +
+                                  ",objects=" + std::to_string(objects));
+    Cell cell(shared, scene, {.technique = "StencilShadowVolume", .knobs = {{"cull", "none"}}});
+    const auto counts = cell.renderer().counts();
+    const std::map<std::string, uint64_t> named(counts.begin(), counts.end());
+    // The floor is a sheet with four edges.
+    EXPECT_NEAR(double(named.at("silhouette edges")) - 4 * lights, edges, 0.05 * edges);
+  }
 }
 
 TEST(ShadowVolumePasses, OnlyLightsThatSomethingCastsInHaveSome) {

@@ -107,6 +107,7 @@ void summarisePasses(const Samples& samples, bool software, report::Record& reco
       (p.group == PassGroup::Shadow ? shadow : scene) += ms;
       const auto pass = passOf(p.label);
       pass->ms += ms;
+      pass->recordMs += p.recordMs * share;
       pass->share += total > 0 ? ms / total : 0;
     }
   for (size_t i = 0; i < loop.back().passes.size(); ++i) {

@@ -20,14 +20,7 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
   const double halfX = halfY * aspect;
   m_scaleX = 1 / halfX, m_scaleY = 1 / halfY;
   const glm::dmat3 toWorld(camera.toWorld);
-  const auto plane = [&](glm::dvec3 normal, double offset) {
-    const double length = glm::length(normal);
-    return Plane{toWorld * normal / length, offset / length};
-  };
-  const double z = m_orthographic ? 0 : -1, o = m_orthographic ? 1 : 0;
-  m_planes = {plane({0, 0, -1}, -camera.nearPlane), plane({0, 0, 1}, camera.farPlane),
-              plane({1, 0, z * halfX}, o * halfX),  plane({-1, 0, z * halfX}, o * halfX),
-              plane({0, 1, z * halfY}, o * halfY),  plane({0, -1, z * halfY}, o * halfY)};
+  m_planes = frustumHalfSpaces(camera, aspect);
   for (const double depth : {camera.nearPlane, camera.farPlane}) {
     const double reach = m_orthographic ? 1 : depth;
     for (const double x : {-halfX, halfX})
@@ -46,7 +39,7 @@ ViewVolume ViewVolume::everywhere(double aspect) {
 
 bool ViewVolume::mayShow(const Box& box) const {
   if (box.empty()) return false;
-  for (const Plane& plane : m_planes) {
+  for (const HalfSpace& plane : m_planes) {
     const glm::dvec3 furthest(plane.normal.x > 0 ? box.high.x : box.low.x,
                               plane.normal.y > 0 ? box.high.y : box.low.y,
                               plane.normal.z > 0 ? box.high.z : box.low.z);
@@ -57,7 +50,7 @@ bool ViewVolume::mayShow(const Box& box) const {
 }
 
 bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
-  return std::ranges::all_of(m_planes, [&](const Plane& plane) {
+  return std::ranges::all_of(m_planes, [&](const HalfSpace& plane) {
     return glm::dot(plane.normal, center) + plane.offset >=
            -radius - kSlack * (glm::length(center) + radius);
   });

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "techniques/scene/box.h"
+#include "techniques/scene/tree/region.h"
 
 namespace sb {
 
@@ -28,13 +28,9 @@ class ViewVolume {
   double heightsPerUnit(const Box& box) const;
 
  private:
-  struct Plane {
-    glm::dvec3 normal;  ///< unit, inward
-    double offset;      ///< dot(normal, p) + offset >= 0 inside
-  };
   explicit ViewVolume(double aspect) : m_scaleX(1 / aspect) {}
 
-  std::vector<Plane> m_planes;  ///< none: everything is seen
+  std::vector<HalfSpace> m_planes;  ///< none: everything is seen
   Box m_bounds;
   glm::dmat3 m_toView = glm::dmat3(1);
   double m_scaleX = 1, m_scaleY = 1, m_near = 0;

@@ -21,7 +21,8 @@ namespace {
 const std::vector<ProceduralScene>& registry() {
   static const std::vector<ProceduralScene> kScenes = [] {
     std::vector<ProceduralScene> scenes = {layers(), panes(),      penumbra(), spheresQuads(),
-                                           teapot(), roseWindow(), fog()};
+                                           teapot(), roseWindow(), fog(),      mine(),
+                                           yard(),   library(),    wedges()};
     for (ProceduralScene& scene : scenes) scene.info.params.push_back(circlingParam());
     return scenes;
   }();

@@ -39,17 +39,18 @@ class PenumbraWedge final : public ShadowTechnique {
     m_wrap = context.knobs.is("combine", "wrap");
     uint32_t mostLights = 0, mostInView = 0;
     std::vector<LightVolumes> hard, soft;
-    m_volumes.emplace(
-        context, VolumeBuilder::Cpu, VolumeChoice{}, [&](const std::vector<LightVolumes>& lights) {
-          mostLights = std::max(mostLights, uint32_t(lights.size()));
-          mostInView = std::max(mostInView, uint32_t(maskSlots(context.view, lights).size()));
-          const Volumes softNow = softOf(lights);
-          m_wedges->reserve(softNow);
-          for (const LightVolumes* light : softNow) soft.push_back(*light);
-          for (const LightVolumes& light : lights)
-            // Another eye may see a penumbra as a hard edge.
-            if (context.view.isFree() || !isSoft(light)) hard.push_back(light);
-        });
+    const auto visit = [&](const std::vector<LightVolumes>& lights) {
+      mostLights = std::max(mostLights, uint32_t(lights.size()));
+      mostInView = std::max(mostInView, uint32_t(maskSlots(context.view, lights).size()));
+      const Volumes softNow = softOf(lights);
+      m_wedges->reserve(softNow);
+      for (const LightVolumes* light : softNow) soft.push_back(*light);
+      // Another eye may see a penumbra as a hard edge.
+      for (const LightVolumes& light : lights)
+        if (context.view.isFree() || !isSoft(light)) hard.push_back(light);
+    };
+    const CullingChoice culling{.extents = context.plan.runs(Effect::AreaLights)};
+    m_volumes.emplace(context, VolumeBuilder::Cpu, VolumeChoice{}, culling, visit);
     if (mostLights == 0) return;
     m_mask.emplace(context, soft.empty() ? MaskKind::Binary : MaskKind::Share, mostLights,
                    mostInView);
@@ -91,11 +92,12 @@ class PenumbraWedge final : public ShadowTechnique {
     return m_mask->inputs();
   }
 
-  std::vector<std::string> warnings() override {
-    if (!m_wedges || m_wedges->everywhere() == 0) return {};
-    return {std::to_string(m_wedges->everywhere()) + " of " + std::to_string(m_wedges->count()) +
-            " wedges could not be shown to hold their penumbra and were drawn over all of the "
-            "picture"};
+  std::vector<std::pair<std::string, uint64_t>> counts() const override {
+    auto counts = m_volumes->counts();
+    counts.emplace_back("penumbra wedges", m_wedges->count());
+    // Not shown to hold their penumbra.
+    counts.emplace_back("penumbra wedges drawn everywhere", m_wedges->everywhere());
+    return counts;
   }
 
  private:
@@ -171,11 +173,11 @@ class PenumbraWedge final : public ShadowTechnique {
   void recordSoft(Frame& frame, const ReceiverLayer& layer, uint32_t slot, size_t soft) const {
     const LightVolumes& light = m_volumes->lights()[slot];
     if (!m_wrap) {
-      if (!m_exact) recordWedges(frame, layer, light.casters, soft, m_wedges->ofLight(soft));
+      if (!m_exact) recordWedges(frame, layer, light, light.casters, soft, m_wedges->ofLight(soft));
       return recordMask(frame, layer, slot, soft, true);
     }
     for (size_t i = 0; i < light.casters.size(); ++i) {
-      recordWedges(frame, layer, std::span(light.casters).subspan(i, 1), soft,
+      recordWedges(frame, layer, light, std::span(light.casters).subspan(i, 1), soft,
                    m_wedges->ofCaster(soft, i));
       recordMask(frame, layer, slot, soft, i == 0);
     }
@@ -193,24 +195,27 @@ class PenumbraWedge final : public ShadowTechnique {
     return bindings;
   }
 
-  void recordWedges(Frame& frame, const ReceiverLayer& layer, std::span<const CasterVolume> casters,
-                    size_t soft, const WedgeRange& wedges) const {
+  /// `casters`: of the light; `wedges`: theirs.
+  void recordWedges(Frame& frame, const ReceiverLayer& layer, const LightVolumes& light,
+                    std::span<const CasterVolume> casters, size_t soft,
+                    const WedgeRange& wedges) const {
     const rhi::ColorAttachment hidden{.view = {.texture = m_hidden}};
     const rhi::ResourceUse depth = rhi::use(layer.depth, rhi::Access::Sampled);
-    frame.pass({.label = "penumbra wedges",
-                .colors = std::span(&hidden, 1),
-                .depth = rhi::DepthAttachment{.view = {.texture = layer.depth},
-                                              .load = rhi::LoadOp::Load,
-                                              .readOnly = true},
-                .reads = {&depth, 1}},
-               PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                 m_counter->draw(commands, *m_volumes, casters);
-                 if (wedges.count == 0) return;
-                 const std::vector<rhi::Binding> all = bindings(layer, soft);
-                 commands.draw({.pipeline = m_wedgePipeline, .bindings = all},
-                               {.vertexCount = WEDGE_VERTICES * wedges.count,
-                                .firstVertex = WEDGE_VERTICES * wedges.first});
-               });
+    frame.pass(
+        {.label = "penumbra wedges",
+         .colors = std::span(&hidden, 1),
+         .depth =
+             rhi::DepthAttachment{
+                 .view = {.texture = layer.depth}, .load = rhi::LoadOp::Load, .readOnly = true},
+         .reads = {&depth, 1}},
+        PassGroup::Shadow, [&](rhi::CommandList& commands) {
+          m_counter->draw(commands, *m_volumes, light, casters);
+          if (wedges.count == 0) return;
+          const std::vector<rhi::Binding> all = bindings(layer, soft);
+          commands.draw({.pipeline = m_wedgePipeline, .bindings = all, .scissor = light.scissor},
+                        {.vertexCount = WEDGE_VERTICES * wedges.count,
+                         .firstVertex = WEDGE_VERTICES * wedges.first});
+        });
   }
 
   /// `first`: of what goes into the slot.

@@ -21,6 +21,7 @@ namespace {
 
 VolumeBuilder builderOf(const Knobs& knobs) {
   if (knobs.is("build", "vertex")) return VolumeBuilder::Vertex;
+  if (knobs.is("build", "geometry")) return VolumeBuilder::Geometry;
   return knobs.is("build", "compute") ? VolumeBuilder::Compute : VolumeBuilder::Cpu;
 }
 
@@ -35,6 +36,14 @@ VolumeChoice choiceOf(const Knobs& knobs) {
   return choice;
 }
 
+CullingChoice cullingOf(const Knobs& knobs) {
+  return {.cull = knobs.is("cull", "full"),
+          .tree = knobs.is("tree", "quadtree") ? TreeKind::QuadTree
+                  : knobs.is("tree", "bvh")    ? TreeKind::Boxes
+                                               : TreeKind::List,
+          .budget = knobs.integer("budget")};
+}
+
 class StencilShadowVolume final : public ShadowTechnique {
  public:
   void prepare(const Context& context) override {
@@ -47,7 +56,7 @@ class StencilShadowVolume final : public ShadowTechnique {
     std::vector<LightVolumes> united;
     uint32_t mostLights = 0, mostInView = 0;
     m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs),
-                      [&](const std::vector<LightVolumes>& lights) {
+                      cullingOf(context.knobs), [&](const std::vector<LightVolumes>& lights) {
                         mostLights = std::max(mostLights, channels(lights));
                         mostInView = std::max(mostInView, uint32_t(slots(lights).size()));
                         united.insert(united.end(), lights.begin(), lights.end());
@@ -79,6 +88,10 @@ class StencilShadowVolume final : public ShadowTechnique {
     for (uint32_t slot = 0; slot < count; ++slot)
       m_shadows->record(frame, layer, *m_volumes, m_single ? lights : lights.subspan(slot, 1),
                         *m_mask, slot);
+  }
+
+  std::vector<std::pair<std::string, uint64_t>> counts() const override {
+    return m_volumes->counts();
   }
 
   VisibilityInputs inputs() const override {
@@ -139,8 +152,8 @@ std::vector<KnobInfo> knobs() {
       {.name = "build",
        .help = "where silhouettes are found; all give the same picture",
        .fallback = "cpu",
-       .choices = {"cpu", "vertex", "compute"},
-       .sweep = {"cpu", "vertex", "compute"}},
+       .choices = {"cpu", "vertex", "geometry", "compute"},
+       .sweep = {"cpu", "vertex", "geometry", "compute"}},
       {.name = "lights",
        .help = "a count for each light, or one for all, which darkens all of them (approximate)",
        .fallback = "multi",
@@ -156,11 +169,47 @@ std::vector<KnobInfo> knobs() {
        .help = "how far from the light volumes reach: to infinity, or as far as its light",
        .fallback = "infinite",
        .choices = {"infinite", "finite"},
-       .sweep = {"finite", "infinite"}}};
+       .sweep = {"finite", "infinite"}},
+      {.name = "cull",
+       .help = "leave out volumes that no pixel can show, or draw each caster in each light",
+       .fallback = "full",
+       .choices = {"full", "none"},
+       .sweep = {"none", "full"}},
+      {.name = "tree",
+       .help = "what finds casters, receivers and lights: squares of the ground, boxes in boxes, "
+               "each in turn; all give the same picture",
+       .fallback = "quadtree",
+       .choices = {"quadtree", "bvh", "none"},
+       .sweep = {"none", "quadtree", "bvh"}},
+      {.name = "budget",
+       .unit = "triangles",
+       .help = "of casters a frame, the most important volumes first; the others throw no shadow; "
+               "0: no limit",
+       .fallback = "0",
+       .min = 0,
+       .max = 4294967295.0,
+       .sweep = {}}};
 }
 
 std::map<std::string, std::string> breaks() {
-  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+  std::map<std::string, std::string> breaks = {
+      {"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+  const auto variant = [&](const char* knob, const char* why,
+                           std::initializer_list<const char*> cases) {
+    for (const char* id : cases) breaks[std::string(id) + " " + knob] = why;
+  };
+  variant("count:zpass", "the eye stands in a volume, whose entry lies behind it",
+          {"far caster", "range", "inside", "concave contact", "contact", "eye in shadow",
+           "near across"});
+  variant("casts:back", "no triangle of an open caster has its back to the light",
+          {"far caster", "range", "concave contact", "contact"});
+  variant("casts:light", "no triangle around a light within a caster faces it", {"inside"});
+  variant("lights:single", "all light is darkened by one share, whichever light is in shadow",
+          {"far caster", "range", "inside", "concave contact", "contact", "eye in shadow",
+           "not closed", "H3"});
+  variant("extrusion:finite", "the far end cuts off what the light sees under a wide angle",
+          {"far caster", "range"});
+  return breaks;
 }
 
 REGISTER_TECHNIQUE(
