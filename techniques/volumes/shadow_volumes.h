@@ -25,6 +25,12 @@ class ShadowVolumes {
 
   /// Of this step: of lights that something casts in.
   const std::vector<LightVolumes>& lights() const { return m_lights; }
+  /// Items of a part of a volume; VolumeBuilder::Cpu alone.
+  std::span<const uint32_t> items(const CasterVolume& volume, uint32_t part) const {
+    return std::span(m_items).subspan(m_firstItem[volume.number] + volume.data.lists[int(part)],
+                                      volume.items[part]);
+  }
+  const EdgeBuffers::MeshEdges& edges(uint32_t mesh) const { return m_edges.of(mesh); }
   /// Of this step, as records name them: what was left out, and what is drawn.
   std::vector<std::pair<std::string, uint64_t>> counts() const;
 

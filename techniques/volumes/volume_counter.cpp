@@ -30,8 +30,9 @@ rhi::GraphicsPipelineDesc VolumeCounter::desc(const ShadowVolumes& volumes,
   if (m_kind == CounterKind::Float) {
     desc.fragment = &m_context.shaders.get("common/volume_count.frag");
     desc.constants.push_back({18, frontAdds});
+    desc.constants.push_back({19, rhi::formatInfo(m_format).kind == rhi::FormatKind::Unorm});
     desc.depth = {.test = true, .compare = pass ? kBefore : kBehind};
-    desc.targets = {{.format = kFloatFormat,
+    desc.targets = {{.format = m_format,
                      .blend = {.enabled = true,
                                .dstColor = rhi::BlendFactor::One,
                                .dstAlpha = rhi::BlendFactor::One}}};
@@ -64,9 +65,9 @@ void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<Ligh
 }
 
 void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
-                         const LightVolumes& light) const {
+                         const LightVolumes& light, std::span<const CasterVolume> casters) const {
   for (const rhi::CullMode cull : culls())
-    for (const CasterVolume& volume : light.casters)
+    for (const CasterVolume& volume : casters)
       for (const uint32_t part : volume.parts)
         volumes.draw(commands, m_pipelines.at({part, volume.count, cull}), light, volume, part);
 }

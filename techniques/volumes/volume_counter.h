@@ -20,15 +20,18 @@ class VolumeCounter {
   static constexpr rhi::Format kDepthFormat = rhi::Format::D32FloatS8;
   static constexpr rhi::Format kFloatFormat = rhi::Format::R32Float;
 
-  VolumeCounter(const Context& context, CounterKind kind, VolumeFaces faces)
-      : m_context(context), m_kind(kind), m_faces(faces) {}
+  /// `format`: of the target of CounterKind::Float, whose first channel counts; of bytes, the first
+  /// those entered and the second those left.
+  VolumeCounter(const Context& context, CounterKind kind, VolumeFaces faces,
+                rhi::Format format = kFloatFormat)
+      : m_context(context), m_kind(kind), m_faces(faces), m_format(format) {}
 
   /// Makes what drawing these volumes needs.
   void prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights);
   /// Within a pass over the receivers' depth, read only: its stencil counts, or the one colour
-  /// target (kFloatFormat). Both start at 0, and are 0 where no volume is.
-  void draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
-            const LightVolumes& light) const;
+  /// target. Both start at 0, and are 0 where no volume is. `casters`: of the light, all or some.
+  void draw(rhi::CommandList& commands, const ShadowVolumes& volumes, const LightVolumes& light,
+            std::span<const CasterVolume> casters) const;
 
  private:
   struct Variant {
@@ -43,6 +46,7 @@ class VolumeCounter {
   const Context m_context;
   const CounterKind m_kind;
   const VolumeFaces m_faces;
+  const rhi::Format m_format;
   std::map<Variant, rhi::PipelineId> m_pipelines;
 };
 

@@ -162,6 +162,11 @@ GPU_TEST(FreeCamera, VolumesThatEndAtTheEyeAreCountedBehindIt) {
                                     shownBy("StencilShadowVolume", {{"build", build}}));
 }
 
+GPU_TEST(FreeCamera, PenumbraeAreThoseOfAStandingCamera) {
+  expectPicturesOfStandingCameras(device(), withSoftLights(inhabited(true)),
+                                  shownBy("PenumbraWedge"));
+}
+
 GPU_TEST(FreeCamera, BeforeItIsSetEverythingIsSeen) {
   for (const ShadowEntry* technique : shadowTechniques()) {
     FreeCell free(cellDevice(device()), furnished(true), shownBy(technique->info.name));

@@ -87,6 +87,10 @@ GPU_TEST(Motion, ShadowVolumesFollowTheWorldHoweverTheyAreBuilt) {
                                optionsOf("StencilShadowVolume", {{"counter", "float"}}));
 }
 
+GPU_TEST(Motion, PenumbraeFollowTheWorld) {
+  expectFramesOfStandingScenes(device(), withSoftLights(restless()), optionsOf("PenumbraWedge"));
+}
+
 GPU_TEST(Motion, TransparencyTechniquesDrawAWorldThatStands) {
   for (const TransparencyEntry* technique : transparencyTechniques())
     expectFramesOfStandingScenes(device(), inhabited(false),

@@ -7,6 +7,7 @@
 
 #include "suites/scenes/edit/camera_path.h"
 #include "suites/scenes/procedural/shapes.h"
+#include "techniques/scene/light_area.h"
 #include "tests/techniques/cell.h"
 
 namespace sb::test {
@@ -102,6 +103,19 @@ inline Scene inhabited(bool localLights, bool touching = false) {
 inline Scene restless() {
   Scene scene = inhabited(true);
   moveCamera(scene, cameraPath(scene.camera().toWorld, {-3, 1.5, 3.75}, 20, 5));
+  return scene;
+}
+
+/// Every light with an extent.
+inline Scene withSoftLights(Scene scene) {
+  for (Light& light : scene.lights)
+    if (light.type == LightType::Directional)
+      light.angularRadius = 0.05;
+    else
+      makeSphere(light, 0.25);
+  for (SceneState& step : scene.path)
+    for (size_t l = 0; l < step.lights.size(); ++l)
+      step.lights[l].halfAxes = scene.lights[l].halfAxes;
   return scene;
 }
 

@@ -19,6 +19,7 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/medium_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_gpu_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_wedge_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_culling_test.cpp
@@ -38,6 +39,7 @@ target_link_libraries(gpu_tests PRIVATE reports)
 target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/cell.cpp
   ${CMAKE_CURRENT_LIST_DIR}/concave_sides_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/coverage_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/scene_tree_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/volume_bounds_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/edge_mesh_test.cpp
@@ -49,8 +51,10 @@ target_sources(unit_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/medium_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_tiles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_passes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_glass_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plan_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/transients_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/view_fit_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/volume_geometry_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/volume_geometry_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/wedge_test.cpp)

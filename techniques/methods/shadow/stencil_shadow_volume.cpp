@@ -12,12 +12,9 @@
 //                     reach, phi the angle under which the light sees a triangle
 #include <bit>
 
-#include "shaders/common/shared_slots.h"
 #include "shaders/common/shared_types.h"
-#include "techniques/render/camera_pass.h"
 #include "techniques/render/registry.h"
-#include "techniques/render/screen_targets.h"
-#include "techniques/volumes/volume_counter.h"
+#include "techniques/volumes/hard_shadows.h"
 
 namespace sb {
 namespace {
@@ -51,31 +48,36 @@ class StencilShadowVolume final : public ShadowTechnique {
  public:
   void prepare(const Context& context) override {
     m_view = &context.view;
-    m_float = context.knobs.is("counter", "float");
     m_single = context.knobs.is("lights", "single");
     m_darkness = context.knobs.number("darkness");
-    m_counter.emplace(context, m_float ? CounterKind::Float : CounterKind::Stencil,
-                      context.knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
-    m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs), cullingOf(context.knobs),
-                      [&](const std::vector<LightVolumes>& lights) {
-                        m_mostLights = std::max(m_mostLights, channels(lights));
-                        m_mostInView = std::max(m_mostInView, uint32_t(slots(lights).size()));
-                        m_united.insert(m_united.end(), lights.begin(), lights.end());
+    m_shadows.emplace(
+        context, context.knobs.is("counter", "float") ? CounterKind::Float : CounterKind::Stencil,
+        context.knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
+    std::vector<LightVolumes> united;
+    uint32_t mostLights = 0, mostInView = 0;
+    m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs),
+                      cullingOf(context.knobs), [&](const std::vector<LightVolumes>& lights) {
+                        mostLights = std::max(mostLights, channels(lights));
+                        mostInView = std::max(mostInView, uint32_t(slots(lights).size()));
+                        united.insert(united.end(), lights.begin(), lights.end());
                       });
-    m_counter->prepare(*m_volumes, m_united);
-    m_united.clear();
-    if (m_mostLights == 0) return;
-    createTargets(context);
-    createMaskPipelines(context);
+    if (mostLights == 0) return;
+    m_mask.emplace(context, MaskKind::Binary, mostLights, mostInView);
+    m_shadows->prepare(*m_volumes, united, *m_mask);
     if (context.view.steps() > 1) return;  // each frame writes its own
-    const std::vector<uint32_t> now = slots(m_volumes->lights());
-    context.device.upload(m_slots, 0, std::as_bytes(std::span(now)));
+    m_mask->assign(slots(m_volumes->lights()),
+                   [&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
+                     context.device.upload(buffer, 0, bytes);
+                   });
   }
 
   void moved(Frame& frame) override {
     m_volumes->moved(frame);
-    const std::vector<uint32_t> now = slots(m_volumes->lights());
-    if (m_slots) frame.commands().write(m_slots, 0, std::as_bytes(std::span(now)));
+    if (!m_mask) return;
+    m_mask->assign(slots(m_volumes->lights()),
+                   [&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
+                     frame.commands().write(buffer, 0, bytes);
+                   });
   }
 
   void record(Frame& frame) override { m_volumes->record(frame); }
@@ -83,10 +85,9 @@ class StencilShadowVolume final : public ShadowTechnique {
   void recordReceivers(Frame& frame, const ReceiverLayer& layer) override {
     const std::span<const LightVolumes> lights = m_volumes->lights();
     const uint32_t count = channels(m_volumes->lights());
-    for (uint32_t slot = 0; slot < count; ++slot) {
-      recordVolumes(frame, layer, m_single ? lights : lights.subspan(slot, 1));
-      recordMask(frame, layer, slot);
-    }
+    for (uint32_t slot = 0; slot < count; ++slot)
+      m_shadows->record(frame, layer, *m_volumes, m_single ? lights : lights.subspan(slot, 1),
+                        *m_mask, slot);
   }
 
   std::vector<std::pair<std::string, uint64_t>> counts() const override {
@@ -95,18 +96,15 @@ class StencilShadowVolume final : public ShadowTechnique {
 
   VisibilityInputs inputs() const override {
     // Translucent casters alone throw no shadow here.
-    if (m_mostLights == 0)
+    if (!m_mask)
       return {
           .bindings = {}, .reads = {}, .constants = {}, .folder = baselineTechnique().info.folder};
-    return {.bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, m_mask, m_sampler),
-                         rhi::storageAt(STORAGE_TECHNIQUE, m_slots)},
-            .reads = {rhi::use(m_mask.id(), rhi::Access::Sampled)},
-            .constants = {{16, std::bit_cast<uint32_t>(m_single ? 1 - m_darkness : 0.0f)}}};
+    VisibilityInputs inputs = m_mask->inputs();
+    inputs.constants = {{16, std::bit_cast<uint32_t>(m_single ? 1 - m_darkness : 0.0f)}};
+    return inputs;
   }
 
  private:
-  static constexpr uint32_t kChannels = 4;
-
   /// Of the mask: one a light, or one for all of them.
   uint32_t channels(const std::vector<LightVolumes>& lights) const {
     return m_single ? std::min<uint32_t>(1, uint32_t(lights.size())) : uint32_t(lights.size());
@@ -114,118 +112,18 @@ class StencilShadowVolume final : public ShadowTechnique {
 
   /// Channel of the mask of each light in view.
   std::vector<uint32_t> slots(const std::vector<LightVolumes>& lights) const {
-    std::vector<uint32_t> slots;
-    for (const LightEffects& light : m_view->effects().lights) {
-      if (!light.touchesView) continue;
-      const auto at =
-          m_single ? lights.begin() : std::ranges::find(lights, light.light, &LightVolumes::light);
-      slots.push_back(at == lights.end() ? NO_SHADOW : uint32_t(at - lights.begin()));
-    }
+    std::vector<uint32_t> slots = maskSlots(*m_view, lights);
+    for (uint32_t& slot : slots)
+      if (m_single) slot = lights.empty() ? NO_SHADOW : 0;
     return slots;
   }
 
-  void createTargets(const Context& context) {
-    using U = rhi::TextureUse;
-    const auto [width, height] = context.view.size();
-    m_maskFormat = m_mostLights == 1   ? rhi::Format::R8Unorm
-                   : m_mostLights == 2 ? rhi::Format::RG8Unorm
-                                       : rhi::Format::RGBA8Unorm;
-    m_mask = context.device.createTexture(
-        {.label = "shadow mask",
-         .kind = rhi::TextureKind::Tex2DArray,
-         .format = m_maskFormat,
-         .width = width,
-         .height = height,
-         .layers = std::max(1u, (m_mostLights + kChannels - 1) / kChannels),
-         .use = U::ColorTarget | U::Sampled | U::CopyTarget});
-    // Steps in which nothing casts write none of it.
-    const std::vector<std::byte> lit(size_t(width) * height * kChannels, std::byte{0xFF});
-    const size_t bytes = size_t(width) * height * rhi::formatInfo(m_maskFormat).texelBytes;
-    for (uint32_t layer = 0; layer * kChannels < m_mostLights && !context.view.stands(); ++layer)
-      context.device.upload(m_mask, {.layer = layer}, std::span(lit).first(bytes));
-    if (m_float)
-      m_counts = context.transients.texture(
-          screenTarget(context, "shadow volume counts", VolumeCounter::kFloatFormat),
-          FramePart::Receivers);
-    m_slots =
-        context.device.createBuffer({.label = "shadow mask slots",
-                                     .size = std::max<uint64_t>(16, 4 * uint64_t(m_mostInView)),
-                                     .use = rhi::BufferUse::Storage | rhi::BufferUse::CopyTarget});
-    m_sampler = context.device.createSampler(
-        {.label = "shadow mask sampler", .filter = rhi::Filter::Nearest});
-  }
-
-  void createMaskPipelines(const Context& context) {
-    const rhi::StencilFace counted = {.compare = rhi::CompareOp::NotEqual};
-    for (uint32_t channel = 0; channel < std::min(m_mostLights, kChannels); ++channel) {
-      rhi::GraphicsPipelineDesc desc{
-          .label = "shadow mask",
-          .vertex = &context.shaders.get("common/fullscreen.vert"),
-          .fragment = &context.shaders.get(m_float ? "stencil_shadow_volume/counted.frag"
-                                                   : "stencil_shadow_volume/shadowed.frag"),
-          .targets = {{.format = m_maskFormat, .writeMask = uint8_t(1u << channel)}}};
-      if (!m_float) {
-        desc.stencil = {.test = true, .front = counted, .back = counted};
-        desc.depthFormat = VolumeCounter::kDepthFormat;
-      }
-      m_maskPipelines.push_back(context.pipeline(desc));
-    }
-  }
-
-  void recordVolumes(Frame& frame, const ReceiverLayer& layer,
-                     std::span<const LightVolumes> lights) const {
-    const rhi::ColorAttachment counts{.view = {.texture = m_counts}};
-    const std::vector<rhi::ResourceUse> reads = m_volumes->reads();
-    frame.pass({.label = "shadow volumes",
-                .colors = std::span(&counts, m_float ? 1 : 0),
-                .depth = rhi::DepthAttachment{.view = {.texture = layer.depth},
-                                              .load = rhi::LoadOp::Load,
-                                              .readOnly = true},
-                .reads = reads},
-               PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                 for (const LightVolumes& light : lights)
-                   m_counter->draw(commands, *m_volumes, light);
-               });
-  }
-
-  /// The channels of a layer are lit until a light says otherwise.
-  void recordMask(Frame& frame, const ReceiverLayer& layer, uint32_t slot) const {
-    const rhi::ColorAttachment mask{
-        .view = {.texture = m_mask, .baseLayer = slot / kChannels, .layerCount = 1},
-        .load = slot % kChannels == 0 ? rhi::LoadOp::Clear : rhi::LoadOp::Load,
-        .clear = {1, 1, 1, 1}};
-    rhi::PassDesc pass{.label = "shadow mask", .colors = std::span(&mask, 1)};
-    const rhi::ResourceUse counts = rhi::use(m_counts, rhi::Access::Sampled);
-    std::vector<rhi::Binding> bindings;
-    if (m_float) {
-      pass.reads = {&counts, 1};
-      bindings = {rhi::textureAt(TEXTURE_TECHNIQUE, m_counts, m_sampler)};
-    } else {
-      pass.depth = rhi::DepthAttachment{.view = {.texture = layer.depth},
-                                        .load = rhi::LoadOp::Load,
-                                        .readOnly = true,
-                                        .stencilLoad = rhi::LoadOp::Load,
-                                        .stencilReadOnly = true};
-    }
-    frame.pass(pass, PassGroup::Shadow, [&](rhi::CommandList& commands) {
-      drawFullscreen(commands, m_maskPipelines[slot % kChannels], bindings);
-    });
-  }
-
   const SceneView* m_view = nullptr;
-  bool m_float = false, m_single = false;
-  float m_darkness = 0;       ///< share of light that is taken where all lights count as one
-  uint32_t m_mostLights = 0;  ///< that something casts in, at any step
-  uint32_t m_mostInView = 0;
-  std::vector<LightVolumes> m_united;
+  bool m_single = false;
+  float m_darkness = 0;  ///< share of light that is taken where all lights count as one
   std::optional<ShadowVolumes> m_volumes;
-  std::optional<VolumeCounter> m_counter;
-  rhi::Format m_maskFormat = rhi::Format::Undefined;
-  rhi::Texture m_mask;
-  rhi::TextureId m_counts;
-  rhi::Buffer m_slots;
-  rhi::Sampler m_sampler;
-  std::vector<rhi::PipelineId> m_maskPipelines;  ///< by channel
+  std::optional<ShadowMask> m_mask;
+  std::optional<HardShadows> m_shadows;
 };
 
 std::vector<KnobInfo> knobs() {
