@@ -24,7 +24,9 @@ void HardShadows::prepare(const ShadowVolumes& volumes, const std::vector<LightV
   m_counter.prepare(volumes, lights);
   const bool floats = m_kind == CounterKind::Float;
   if (floats) {
-    m_counts = screenTarget(m_context, "shadow volume counts", VolumeCounter::kFloatFormat);
+    m_counts = m_context.transients.texture(
+        screenTarget(m_context, "shadow volume counts", VolumeCounter::kFloatFormat),
+        FramePart::Receivers);
     m_sampler = m_context.device.createSampler(
         {.label = "shadow volume sampler", .filter = rhi::Filter::Nearest});
   }
@@ -72,7 +74,7 @@ void HardShadows::recordMask(Frame& frame, const ReceiverLayer& layer, const Sha
                              uint32_t slot) const {
   const rhi::ColorAttachment target = mask.attachment(slot);
   rhi::PassDesc pass{.label = "shadow mask", .colors = std::span(&target, 1)};
-  const rhi::ResourceUse counts = rhi::use(m_counts.id(), rhi::Access::Sampled);
+  const rhi::ResourceUse counts = rhi::use(m_counts, rhi::Access::Sampled);
   std::vector<rhi::Binding> bindings;
   if (m_kind == CounterKind::Float) {
     pass.reads = {&counts, 1};

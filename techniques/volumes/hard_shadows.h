@@ -31,7 +31,7 @@ class HardShadows {
   const Context m_context;
   const CounterKind m_kind;
   VolumeCounter m_counter;
-  rhi::Texture m_counts;
+  rhi::TextureId m_counts{};  ///< CounterKind::Float
   rhi::Sampler m_sampler;
   std::vector<rhi::PipelineId> m_maskPipelines;  ///< by channel
 };

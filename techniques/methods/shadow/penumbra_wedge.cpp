@@ -134,7 +134,8 @@ class PenumbraWedge final : public ShadowTechnique {
     if (!m_exact) {
       m_counter.emplace(context, CounterKind::Float, VolumeFaces::Both, format);
       m_counter->prepare(*m_volumes, lights);
-      m_hidden = screenTarget(context, "penumbra shares", format);
+      m_hidden = context.transients.texture(screenTarget(context, "penumbra shares", format),
+                                            FramePart::Receivers);
       m_wedgePipeline = context.pipeline(
           {.label = "penumbra wedges",
            .vertex = &context.shaders.get("penumbra_wedge/wedge.vert"),
@@ -224,11 +225,11 @@ class PenumbraWedge final : public ShadowTechnique {
     rhi::ColorAttachment target = m_mask->attachment(slot);
     if (!first) target.load = rhi::LoadOp::Load;
     std::vector<rhi::ResourceUse> reads = {rhi::use(layer.depth, rhi::Access::Sampled)};
-    if (m_hidden) reads.push_back(rhi::use(m_hidden.id(), rhi::Access::Sampled));
+    if (m_hidden) reads.push_back(rhi::use(m_hidden, rhi::Access::Sampled));
     std::vector<rhi::Binding> all = bindings(layer, soft);
     // Where nothing is summed nothing reads it.
     all.push_back(
-        rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_hidden ? m_hidden.id() : layer.depth, m_sampler));
+        rhi::textureAt(TEXTURE_TECHNIQUE + 1, m_hidden ? m_hidden : layer.depth, m_sampler));
     frame.pass({.label = "shadow mask", .colors = std::span(&target, 1), .reads = reads},
                PassGroup::Shadow, [&](rhi::CommandList& commands) {
                  drawFullscreen(commands, m_maskPipelines[slot % ShadowMask::kChannels], all);
@@ -243,7 +244,7 @@ class PenumbraWedge final : public ShadowTechnique {
   std::optional<LightWedges> m_wedges;
   std::optional<VolumeCounter> m_counter;
   std::optional<CoverageTables> m_tables;
-  rhi::Texture m_hidden;  ///< red: by volumes and wedges; green: edges that it is unsure about
+  rhi::TextureId m_hidden{};  ///< red: by volumes and wedges; green: edges that it is unsure about
   rhi::Sampler m_sampler;
   rhi::PipelineId m_wedgePipeline;
   std::vector<rhi::PipelineId> m_maskPipelines;  ///< by channel
