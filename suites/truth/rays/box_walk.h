@@ -1,8 +1,8 @@
 // A ray's walk through a tree of boxes (box_tree.h). Kernels only sort out what cannot be met:
 // boxes with room for rounding, triangles by the very arithmetic of suites/truth/rays/watertight.h.
-// Which kernel walks, and in which order, changes no answer. No headers with code in them:
-// box_walk_avx2.cpp is compiled for a newer CPU, and what it shares with others the linker might
-// take from it.
+// Which kernel walks, and in which order, changes no answer. They include
+// no code that is not local to their files: box_walk_avx2.cpp is compiled for a newer CPU, and what
+// it shares with others the linker might take from it.
 #pragma once
 
 #include <cstdint>
