@@ -98,8 +98,8 @@ TEST_F(WedgeTest, EdgesThatTouchTheLightHaveNone) {
   Light light{.type = LightType::Point};
   makeSphere(light, 1);
   const WedgeLight w = wedgeLight(light, dvec3(0));
-  EXPECT_TRUE(wedge(w, {0, -1.001, 0}, {1, -1.5, 0}).holds);
-  EXPECT_FALSE(wedge(w, {0, -1.00005, 0}, {1, -1.5, 0}).holds);
+  EXPECT_TRUE(wedge(w, {0, -1.001, 0}, {0.01, -1.5, 0}).holds);
+  EXPECT_FALSE(wedge(w, {0, -1.00005, 0}, {0.01, -1.5, 0}).holds);
   EXPECT_FALSE(wedge(w, {0, -0.5, 0}, {1, -1.5, 0}).holds);
   // Its middle does, though its ends do not.
   EXPECT_FALSE(wedge(w, {-2, -0.5, 0}, {2, -0.5, 0}).holds);

@@ -276,7 +276,8 @@ std::vector<KnobInfo> knobs() {
 }
 
 std::map<std::string, std::string> breaks() {
-  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"}};
+  return {{"overlaps", "the stencil counts modulo 256: as many layers are none"},
+          {"many edges format:rgba8", "bytes have room for the shares of eight edges"}};
 }
 
 REGISTER_TECHNIQUE(
