@@ -57,9 +57,12 @@ void ActiveCell::warmUp() {
     last = loopMs(*m_subject, FrameMode::Stamped);
     loopMs(*m_subject, FrameMode::Counted);
   }
+  const double frameMs = last / m_subject->steps();
   // Two windows are the fewest that can agree.
   const double budgetMs = m_settings->budgetSeconds * 1e3;
-  const bool patient = m_settings->stop.repetitions > 0 || 2 * WarmUp::kWindowFrames * last < budgetMs;
+  const bool patient =
+      m_settings->stop.repetitions > 0 ||
+      2 * wholeLoops(WarmUp::kWindowFrames, m_subject->steps()) * frameMs < budgetMs;
   const uint32_t windowFrames = wholeLoops(
       m_subject->hasPasses() && patient ? WarmUp::kWindowFrames : 1, m_subject->steps());
   WarmUp rule;
@@ -77,7 +80,7 @@ void ActiveCell::warmUp() {
     m_result->record.warnings.push_back(
         patient ? "ten warm-up windows did not agree: the time drifts"
                 : "the warm-up was cut at the budget: a frame takes " +
-                      base::numberText(std::round(last)) + " ms");
+                      base::numberText(std::round(frameMs)) + " ms");
   const double warm = patient ? loopMs(*m_subject, FrameMode::Plain) : last;
   m_samples.compileMs = m_subject->createMs() + std::max(0.0, first - warm);
   m_frameMs = std::max(warm / double(m_subject->steps()), 1e-3);
