@@ -5,21 +5,16 @@
 #include <span>
 #include <vector>
 
-#include "techniques/scene/box.h"
 #include "techniques/scene/camera.h"
+#include "techniques/scene/tree/region.h"
 
 namespace sb {
 
 /// Corners of a convex polygon, in order.
 using Polygon = std::vector<glm::dvec3>;
 
-/// Points p with dot(normal, p) + offset >= 0 lie inside.
-struct HalfSpace {
-  glm::dvec3 normal = glm::dvec3(0);
-  double offset = 0;
-};
-
-/// What of a polygon lies inside of all (Sutherland, Hodgman 1974); empty: nothing.
+/// What of a polygon lies inside of all, about one origin (Sutherland, Hodgman 1974); empty:
+/// nothing.
 Polygon clipped(Polygon polygon, std::span<const HalfSpace> inside);
 
 /// A frustum by its corners, in the order of frustumCorners().
