@@ -14,5 +14,5 @@ foreach(part input limits measuring outputs samples stability survive technique 
   set_tests_properties(cli.${part} PROPERTIES ENVIRONMENT
     "PYTHONDONTWRITEBYTECODE=1;SHADOWBENCH_FAKE_GPU=${CMAKE_BINARY_DIR}/fake_gpu;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-cache")
 endforeach()
-# What judges times does so alone.
-set_tests_properties(cli.measuring cli.timer PROPERTIES RUN_SERIAL TRUE)
+# What judges times, or asks for fronts of undisturbed ones, does so alone.
+set_tests_properties(cli.measuring cli.timer cli.truth PROPERTIES RUN_SERIAL TRUE)
