@@ -33,6 +33,14 @@ using std::abs;
 #define VOLUME_TURNED 2u
 #define VOLUME_PARTS 3u
 
+// What of caps is drawn. Where near or far plane cuts a caster, its cap at the caster is clipped as
+// the surface is, since interpolating from other vertices gives other depths; what lies beyond the
+// far plane is drawn by itself, behind everything.
+#define CAPS_BOTH 0u    // at the caster and at the far end
+#define CAPS_NEAR 1u    // at the caster, between the planes
+#define CAPS_BEYOND 2u  // at the caster, beyond the far plane
+#define CAPS_FAR 3u     // at the far end
+
 struct VolumeData {
   vec4 row0;      // rows of mesh space -> camera-relative world, as InstanceData has them
   vec4 row1;

@@ -6,6 +6,7 @@
 #include "common/volume_mesh.glsl"
 layout(constant_id = 16) const uint kPart = VOLUME_SIDES;
 layout(constant_id = 17) const bool kFinite = false;
+layout(constant_id = 20) const uint kCaps = CAPS_BOTH;
 
 // The same sums as for the surface: caps meet its depth to the last bit.
 vec3 relativeVertex(uint vertex) {
@@ -46,9 +47,18 @@ vec4 sideVertex(uint item, uint corner) {
 }
 
 vec4 capVertex(uint triangle, uint corner) {
+  bool atCaster = corner < 3u;
+  // Triangles that are not drawn have no area.
+  if (kCaps == CAPS_FAR ? atCaster : kCaps != CAPS_BOTH && !atCaster) return vec4(2, 2, 2, 1);
+  if (kCaps == CAPS_BEYOND) {
+    // Clipping leaves what lies beyond z = 0, the far plane; where it cuts does not depend on a
+    // power of two. Small, so that nothing is cut off farther out.
+    vec4 p = nearVertex(cornerAt(triangle, corner));
+    return vec4(p.xy, p.z * -9.5367431640625e-7, p.w);
+  }
   // The far end is turned over.
-  return corner < 3u ? nearVertex(cornerAt(triangle, corner))
-                     : farVertex(cornerAt(triangle, 5u - corner));
+  return atCaster ? nearVertex(cornerAt(triangle, corner))
+                  : farVertex(cornerAt(triangle, 5u - corner));
 }
 
 uint verticesOfItem() { return kPart == VOLUME_SIDES ? volume.vertices.x : volume.vertices.y; }

@@ -51,6 +51,27 @@ Found nearPlaneAcross(const CaseContext& context) {
   return found;
 }
 
+Found farPlaneAcross(const CaseContext& context) {
+  // Parallel eyes too, whose near plane cuts the floor.
+  Found found{.curve = {}, .expected = missing(context, Effect::OpaqueCasters)};
+  for (const double far : {6.0, 12.0, 50.0, 1e4}) {
+    double wrong = 0;
+    for (const bool parallel : {false, true}) {
+      Scene scene = floorAndBox({0.5, 1.5, 4}, {0.75, 0.25, -0.5});
+      addHorizontal(scene, 0, {0, -0.5f, 0}, 50, 50);
+      addLight(scene, pointLight({0.5, 3, 0.25}, 20));
+      Camera& camera = scene.cameras[0];
+      camera.farPlane = far;
+      camera.nearPlane = 2;
+      camera.orthographic = parallel;
+      camera.halfHeight = 2;
+      wrong = std::max(wrong, wrongShare(context, std::move(scene)));
+    }
+    found.curve.push_back({far, wrong, 0.001});
+  }
+  return found;
+}
+
 Found lightNearEye(const CaseContext& context) {
   Found found{.curve = {}, .expected = missing(context, Effect::OpaqueCasters)};
   for (const double ahead : {-1.0, -1e-3, 0.0, 0.1, 0.5}) {
@@ -135,6 +156,13 @@ std::vector<StabilityCase> volumeCases() {
        .parameter = "near plane, world units",
        .logarithmic = true,
        .run = nearPlaneAcross},
+      {.id = "planes across",
+       .title = "Near and far plane across a floor",
+       .property = property,
+       .reason = reason,
+       .parameter = "far plane, world units",
+       .logarithmic = true,
+       .run = farPlaneAcross},
       {.id = "light at eye",
        .title = "A light behind the eye, on the near plane, before it",
        .property = property,

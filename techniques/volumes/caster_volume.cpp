@@ -81,6 +81,20 @@ float extentOf(const VolumeScene& s, const Box& box) {
   return float(std::min(least / (1.01 * s.reach), 0.5));
 }
 
+/// CasterVolume::caps, counted behind the receiver: before the near plane nothing is.
+std::vector<uint32_t> capsOf(const VolumeScene& s, const Box& box) {
+  const Camera& camera = s.view.placed().camera();
+  const glm::dvec3 forward = -glm::dvec3(camera.toWorld[2]);
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (int i = 0; i < 8; ++i) {
+    const double depth = glm::dot(forward, box.corner(i));
+    nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  }
+  if (nearest > camera.nearPlane && farthest < camera.farPlane) return {CAPS_BOTH};
+  if (farthest < camera.farPlane) return {CAPS_NEAR, CAPS_FAR};
+  return {CAPS_NEAR, CAPS_BEYOND, CAPS_FAR};
+}
+
 CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32_t instance) {
   const uint32_t mesh = s.view.scene().instances[instance].mesh;
   const EdgeBuffers::MeshEdges& e = edges.of(mesh);
@@ -100,6 +114,7 @@ CasterVolume casterVolume(const VolumeScene& s, const EdgeBuffers& edges, uint32
     if (casts != CASTS_BACK) v.parts.push_back(VOLUME_CAPS);
     if (casts != CASTS_LIGHT) v.parts.push_back(VOLUME_TURNED);
   }
+  if (v.count == DepthCount::Fail) v.caps = capsOf(s, box);
   const gpu::InstanceData& placed = s.view.instance(instance);
   const glm::dvec3 origin(s.view.placed().toWorld(instance)[3]);
   const bool point = !s.local() && extent == 0;

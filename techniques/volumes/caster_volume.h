@@ -27,6 +27,7 @@ struct CasterVolume {
   uint32_t mesh = 0;
   DepthCount count = DepthCount::Fail;
   std::vector<uint32_t> parts;  ///< VOLUME_*, those that are drawn
+  std::vector<uint32_t> caps = {CAPS_BOTH};  ///< CAPS_*, what of them is drawn, one by one
   gpu::VolumeData data{};       ///< but for the lists
   /// Items of each part (shaders/common/volume_vertex.glsl), at most.
   std::array<uint32_t, VOLUME_PARTS> items{};

@@ -195,9 +195,9 @@ void ShadowVolumes::record(Frame& frame) {
              });
 }
 
-rhi::GraphicsPipelineDesc ShadowVolumes::pipeline(uint32_t part) const {
+rhi::GraphicsPipelineDesc ShadowVolumes::pipeline(uint32_t part, uint32_t caps) const {
   const auto shader = [&](const char* name) { return &m_context.shaders.get(name); };
-  rhi::GraphicsPipelineDesc desc{.constants = {{16, part}, {17, m_choice.finite}}};
+  rhi::GraphicsPipelineDesc desc{.constants = {{16, part}, {17, m_choice.finite}, {20, caps}}};
   if (hasGeometryShader(part)) {
     desc.vertex = shader("common/volume_edges.vert");
     desc.geometry = shader("common/volume_edges.geom");

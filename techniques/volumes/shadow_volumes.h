@@ -39,8 +39,8 @@ class ShadowVolumes {
   /// Passes before volumes are drawn.
   void record(Frame& frame);
 
-  /// Stages, topology and constants of what draws a part of volumes (VOLUME_*).
-  rhi::GraphicsPipelineDesc pipeline(uint32_t part) const;
+  /// Stages, topology and constants of what draws a part of volumes (VOLUME_*, CAPS_*).
+  rhi::GraphicsPipelineDesc pipeline(uint32_t part, uint32_t caps) const;
   /// What passes that draw volumes read.
   std::vector<rhi::ResourceUse> reads() const;
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const LightVolumes& light,

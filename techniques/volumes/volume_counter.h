@@ -38,9 +38,12 @@ class VolumeCounter {
     uint32_t part;
     DepthCount count;
     rhi::CullMode cull;
+    uint32_t caps;  ///< CAPS_*; CAPS_BOTH: of the sides too
     auto operator<=>(const Variant&) const = default;
   };
   std::vector<rhi::CullMode> culls() const;
+  /// Variant::caps with which a part is drawn.
+  static std::span<const uint32_t> capsOf(const CasterVolume& volume, uint32_t part);
   rhi::GraphicsPipelineDesc desc(const ShadowVolumes& volumes, const Variant& variant) const;
 
   const Context m_context;

@@ -24,7 +24,8 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_culling_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/shadow_map_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_limits_test.cpp ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_limits_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_planes_test.cpp ${CMAKE_CURRENT_LIST_DIR}/shadow_volume_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sorted_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/steady_frames_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/stochastic_shadow_map_test.cpp
