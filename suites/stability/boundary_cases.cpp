@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

@@ -3,7 +3,7 @@
 // meshes that are not closed.
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

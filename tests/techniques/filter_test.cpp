@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "shaders/common/shared_slots.h"
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "tests/rhi/resource_helpers.h"
 
 using namespace sb;

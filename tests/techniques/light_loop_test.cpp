@@ -2,7 +2,7 @@
 // from a list that it makes in a pass of its own, the last one first.
 #include "backends/shader/compile.h"
 #include "shaders/common/shared_slots.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

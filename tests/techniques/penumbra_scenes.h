@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/tracer.h"
 #include "techniques/scene/light_area.h"
 #include "tests/techniques/gpu_cell.h"

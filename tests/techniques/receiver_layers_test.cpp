@@ -3,7 +3,7 @@
 // and direct light that a technique replaces.
 #include <set>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/layer_probe.h"

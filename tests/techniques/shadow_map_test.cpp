@@ -2,7 +2,7 @@
 // 01, invariants 1-5; spec 17, G11).
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/tracer.h"
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/lights/light_visibility.h"
 #include "tests/truth/traced.h"
 
