@@ -38,19 +38,26 @@ glm::dvec3 vectorAt(const std::vector<float>& values, size_t i) {
   return {double(values[3 * i]), double(values[3 * i + 1]), double(values[3 * i + 2])};
 }
 
+// So many floats of each of `count` vertices, from the accessor that `index` names.
+std::vector<float> vertexFloats(const GltfContext& context, const json& index,
+                                const std::string& at, int components, size_t count) {
+  const int accessor = int(checkedIndex(context.source, index, at, "accessors"));
+  if (const int c = componentCount(context, at, accessor); c != components)
+    context.fail(
+        at, "has " + std::to_string(c) + " components, expected " + std::to_string(components));
+  if (const size_t n = context.model.accessors[size_t(accessor)].count; n != count)
+    context.fail(at,
+                 "has " + std::to_string(n) + " elements, POSITION has " + std::to_string(count));
+  return readFloats(context, at, accessor, components);
+}
+
 // A target's deltas of one attribute; empty if it has none.
 std::vector<float> deltas(const GltfContext& context, const json& target, const std::string& field,
                           const char* name, size_t count) {
   const auto found = target.find(name);
   if (found == target.end()) return {};
   const std::string at = field + "." + name;
-  const int accessor = int(checkedIndex(context.source, *found, at, "accessors"));
-  if (const int c = componentCount(context, at, accessor); c != 3)
-    context.fail(at, "has " + std::to_string(c) + " components, expected 3");
-  if (const size_t n = context.model.accessors[size_t(accessor)].count; n != count)
-    context.fail(at,
-                 "has " + std::to_string(n) + " elements, POSITION has " + std::to_string(count));
-  return readFloats(context, at, accessor, 3);
+  return vertexFloats(context, *found, at, 3, count);
 }
 
 // Four floats a vertex of one set of joints or weights.
@@ -58,13 +65,7 @@ std::vector<float> influences(const GltfContext& context, const json& attributes
                               const std::string& field, const std::string& name, size_t count) {
   const std::string at = field + ".attributes." + name;
   if (!attributes.contains(name)) context.fail(at, "is missing beside its joints or weights");
-  const int accessor = int(checkedIndex(context.source, attributes[name], at, "accessors"));
-  if (const int c = componentCount(context, at, accessor); c != 4)
-    context.fail(at, "has " + std::to_string(c) + " components, expected 4");
-  if (const size_t n = context.model.accessors[size_t(accessor)].count; n != count)
-    context.fail(at,
-                 "has " + std::to_string(n) + " elements, POSITION has " + std::to_string(count));
-  return readFloats(context, at, accessor, 4);
+  return vertexFloats(context, attributes[name], at, 4, count);
 }
 
 // Blended joint matrix of every vertex.

@@ -61,13 +61,7 @@ Scene make(const ParamValues& p) {
   close("board", addMesh(scene, quadMesh("board", grey, {3, 0.8f})), 4.1);
   scene.lights.push_back(sunLight({1, -0.55, -0.12}, glm::radians(p.find("sun")->second)));
   scene.ambient = glm::vec3(0.03f);
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.7;
-  camera.toWorld = lookFrom({0.8, 2.6, 9}, {0, 1.5, -1});
-  camera.nearPlane = 1;
-  camera.farPlane = 30;
-  scene.cameras.push_back(camera);
+  addView(scene, {0.8, 2.6, 9}, {0, 1.5, -1}, 0.7, 1, 30);
   scene.media.push_back(mediumOf(p));
   return scene;
 }

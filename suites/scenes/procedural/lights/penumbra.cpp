@@ -1,7 +1,6 @@
 // Shadows whose width can be worked out: a lamp above a floor, a board with a straight edge half
 // way up, a pole that touches the floor - its shadow begins hard and grows soft - and a coloured
 // pane whose penumbra lies in the board's.
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/scene/light_area.h"
@@ -58,13 +57,7 @@ Scene make(const ParamValues& p) {
   lamp.intensity = 3.14159265f * 16;
   scene.lights.push_back(lamp);
 
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({1, 6.5, 8}, {0.2, 0.4, 0});
-  camera.nearPlane = 2;
-  camera.farPlane = 30;
-  scene.cameras.push_back(camera);
+  addView(scene, {1, 6.5, 8}, {0.2, 0.4, 0}, 0.8, 2, 30);
   return scene;
 }
 

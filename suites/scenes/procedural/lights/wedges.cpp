@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/parts/solids.h"
 
 namespace sb {
@@ -50,13 +49,7 @@ Scene make(const ParamValues& p) {
   for (uint32_t i = 0; i < objects; ++i) addObject(scene, meshes, i);
   addLamps(scene, uint32_t(p.find("lights")->second), p.find("size")->second);
   scene.ambient = glm::vec3(0.03f);
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({0, 8, 9}, {0, 0.3, 0});
-  camera.nearPlane = 1;
-  camera.farPlane = 30;
-  scene.cameras.push_back(camera);
+  addView(scene, {0, 8, 9}, {0, 0.3, 0}, 0.8, 1, 30);
   return scene;
 }
 
@@ -69,19 +62,8 @@ void move(Scene& scene, const ParamValues& p, uint32_t steps) {
 ProceduralScene wedges() {
   return {{"wedges",
            "solids over a floor under lamps: silhouette edges in growing numbers",
-           {{.name = "lights",
-             .fallback = 1,
-             .low = 1,
-             .high = 100,
-             .whole = true,
-             .help = "how many lamps"},
-            {.name = "objects",
-             .fallback = 5,
-             .low = 1,
-             .high = 2000,
-             .whole = true,
-             .help = "how many solids"},
-            lampRadiusParam(0.3),
+           {countParam("lights", 1, 1, 100, "how many lamps"),
+            countParam("objects", 5, 1, 2000, "how many solids"), lampRadiusParam(0.3),
             movingShareParam("solids")}},
           make,
           move};

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/mesh_tools.h"
 #include "suites/scenes/procedural/scenes.h"
 #include "techniques/scene/light_area.h"
@@ -91,6 +92,27 @@ Material paneMaterial(std::string name, glm::vec3 colour, float alpha) {
   m.alphaMode = AlphaMode::Blend;
   m.doubleSided = true;
   return m;
+}
+
+void addView(Scene& scene, glm::dvec3 eye, glm::dvec3 target, double fovY, double nearPlane,
+             double farPlane) {
+  Camera camera;
+  camera.name = "view";
+  camera.toWorld = lookFrom(eye, target);
+  camera.fovY = fovY;
+  camera.nearPlane = nearPlane;
+  camera.farPlane = farPlane;
+  scene.cameras.push_back(camera);
+}
+
+SceneParam countParam(std::string name, double fallback, double low, double high,
+                      std::string help) {
+  return {.name = std::move(name),
+          .fallback = fallback,
+          .low = low,
+          .high = high,
+          .whole = true,
+          .help = std::move(help)};
 }
 
 SceneParam circlingParam() {

@@ -21,7 +21,7 @@ void addLamp(Scene& scene, const glm::dvec3& position, double radius, double ran
              float intensity);
 
 /// A share of the instances whose names begin so, drawn without their order mattering, go round
-/// circles on the ground of 0.1 to `widest` across.
+/// circles on the ground with radii from 0.1 to `widest`.
 void circleOnGround(Scene& scene, std::string_view prefix, double share, double widest,
                     uint64_t seed, uint32_t steps);
 

@@ -3,7 +3,6 @@
 // overlap from every lamp.
 #include <cmath>
 
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/parts/random.h"
 #include "suites/scenes/procedural/parts/solids.h"
 
@@ -86,13 +85,7 @@ Scene make(const ParamValues& p) {
   for (size_t i = 0; i < size_t(p.find("lights")->second); ++i)
     addLamp(scene, kLamps[i], radius, 9, 13);
   scene.ambient = glm::vec3(0.03f);
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.95;
-  camera.toWorld = lookFrom({0.6, 1.9, 3.7}, {0, 1.0, -1.5});
-  camera.nearPlane = 0.3;
-  camera.farPlane = 14;
-  scene.cameras.push_back(camera);
+  addView(scene, {0.6, 1.9, 3.7}, {0, 1.0, -1.5}, 0.95, 0.3, 14);
   return scene;
 }
 
@@ -106,21 +99,9 @@ void move(Scene& scene, const ParamValues& p, uint32_t steps) {
 ProceduralScene library() {
   return {{"library",
            "shelves of books, a table and columns by lamplight",
-           {{.name = "lights",
-             .fallback = 2,
-             .low = 1,
-             .high = 4,
-             .whole = true,
-             .help = "how many lamps"},
-            {.name = "books",
-             .fallback = 12,
-             .low = 1,
-             .high = 60,
-             .whole = true,
-             .help = "places for books on a board; there are 16 boards"},
-            lampRadiusParam(0.1),
-            movingShareParam("books"),
-            seedParam("books")}},
+           {countParam("lights", 2, 1, 4, "how many lamps"),
+            countParam("books", 12, 1, 60, "places for books on a board; there are 16 boards"),
+            lampRadiusParam(0.1), movingShareParam("books"), seedParam("books")}},
           make,
           move};
 }

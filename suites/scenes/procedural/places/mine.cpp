@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/parts/random.h"
 #include "suites/scenes/procedural/parts/solids.h"
 
@@ -76,13 +75,7 @@ Scene make(const ParamValues& p) {
   addBoxes(scene, cube, p, length);
   addLamps(scene, p, length);
   scene.ambient = glm::vec3(0.02f);
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 1.1;
-  camera.toWorld = lookFrom({0.3, 1.6, -1.5}, {0, 1.3, -9});
-  camera.nearPlane = 0.2;
-  camera.farPlane = kRun;
-  scene.cameras.push_back(camera);
+  addView(scene, {0.3, 1.6, -1.5}, {0, 1.3, -9}, 1.1, 0.2, kRun);
   return scene;
 }
 
@@ -96,21 +89,9 @@ void move(Scene& scene, const ParamValues& p, uint32_t steps) {
 ProceduralScene mine() {
   return {{"mine",
            "galleries with many lamps, beams and boxes, most of them out of sight",
-           {{.name = "lights",
-             .fallback = 10,
-             .low = 1,
-             .high = 1000,
-             .whole = true,
-             .help = "how many lamps; ten to a gallery"},
-            {.name = "casters",
-             .fallback = 40,
-             .low = 0,
-             .high = 20000,
-             .whole = true,
-             .help = "how many boxes"},
-            lampRadiusParam(0.08),
-            movingShareParam("boxes"),
-            seedParam("boxes")}},
+           {countParam("lights", 10, 1, 1000, "how many lamps; ten to a gallery"),
+            countParam("casters", 40, 0, 20000, "how many boxes"), lampRadiusParam(0.08),
+            movingShareParam("boxes"), seedParam("boxes")}},
           make,
           move};
 }

@@ -3,7 +3,6 @@
 // branches are narrower than their penumbrae.
 #include <cmath>
 
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/parts/random.h"
 #include "suites/scenes/procedural/parts/solids.h"
 
@@ -99,13 +98,7 @@ Scene make(const ParamValues& p) {
   for (size_t i = 0; i < lights; ++i) addLamp(scene, kLamps[i], radius, 14, 26);
   scene.ambient = glm::vec3(0.015f, 0.02f, 0.035f);
   scene.background = glm::vec3(0.01f, 0.015f, 0.03f);
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.85;
-  camera.toWorld = lookFrom({1.5, 5.2, 10.5}, {-0.2, 0.8, -0.8});
-  camera.nearPlane = 1;
-  camera.farPlane = 30;
-  scene.cameras.push_back(camera);
+  addView(scene, {1.5, 5.2, 10.5}, {-0.2, 0.8, -0.8}, 0.85, 1, 30);
   return scene;
 }
 
@@ -119,21 +112,9 @@ void move(Scene& scene, const ParamValues& p, uint32_t steps) {
 ProceduralScene yard() {
   return {{"yard",
            "a back yard with a fence, a tree and clutter under lamps",
-           {{.name = "lights",
-             .fallback = 2,
-             .low = 1,
-             .high = 4,
-             .whole = true,
-             .help = "how many lamps"},
-            {.name = "casters",
-             .fallback = 16,
-             .low = 0,
-             .high = 400,
-             .whole = true,
-             .help = "how many boxes and barrels"},
-            lampRadiusParam(0.15),
-            movingShareParam("boxes and barrels"),
-            seedParam("boxes and barrels")}},
+           {countParam("lights", 2, 1, 4, "how many lamps"),
+            countParam("casters", 16, 0, 400, "how many boxes and barrels"), lampRadiusParam(0.15),
+            movingShareParam("boxes and barrels"), seedParam("boxes and barrels")}},
           make,
           move};
 }

@@ -5,7 +5,6 @@
 // their shadows on one another and on the white quad lie apart in the picture.
 #include <cmath>
 
-#include "suites/scenes/edit/framing.h"
 #include "suites/scenes/procedural/scenes.h"
 
 namespace sb {
@@ -68,13 +67,7 @@ Scene make(const ParamValues& p) {
   pane("grey", grey, {1.6f, 1.6f}, 3, 3.6, 1.2);
   scene.lights.push_back(sunLight(travel, glm::radians(p.find("sun")->second)));
 
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({5, 2.5, 22.5}, {-0.7, 0.5, 0.5});
-  camera.nearPlane = 2;
-  camera.farPlane = 60;
-  scene.cameras.push_back(camera);
+  addView(scene, {5, 2.5, 22.5}, {-0.7, 0.5, 0.5}, 0.8, 2, 60);
   return scene;
 }
 

@@ -48,13 +48,7 @@ Scene make(const ParamValues& p) {
   addInstance(scene, "blue pane", addMesh(scene, quadMesh("blue", blue, {0.8f, 1.6f})),
               at(1.6, -0.4, 0.35));
   scene.lights.push_back(sunLight({0.35, -0.5, -1}, glm::radians(p.find("sun")->second)));
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.7;
-  camera.toWorld = lookFrom({0, 0.3, 14}, {0, 0, 0});
-  camera.nearPlane = 2;
-  camera.farPlane = 30;
-  scene.cameras.push_back(camera);
+  addView(scene, {0, 0.3, 14}, {0, 0, 0}, 0.7, 2, 30);
   return scene;
 }
 

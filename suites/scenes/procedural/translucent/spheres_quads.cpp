@@ -8,7 +8,7 @@
 #include "suites/scenes/edit/framing.h"
 #include "suites/scenes/edit/world_path.h"
 #include "suites/scenes/procedural/parts/random.h"
-#include "suites/scenes/procedural/scenes.h"
+#include "suites/scenes/procedural/parts/solids.h"
 #include "techniques/scene/placed_scene.h"
 
 namespace sb {
@@ -80,13 +80,7 @@ Scene make(const ParamValues& p) {
   addSpheres(scene, p);
   addQuads(scene, p);
   scene.lights.push_back(sunLight(-kToLight, glm::radians(p.find("sun")->second)));
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({0, 17, 30}, {0, 4, 0});
-  camera.nearPlane = 2;
-  camera.farPlane = 70;
-  scene.cameras.push_back(camera);
+  addView(scene, {0, 17, 30}, {0, 4, 0}, 0.8, 2, 70);
   scene.background = glm::vec3(0.25f, 0.3f, 0.35f);
   return scene;
 }
@@ -114,52 +108,32 @@ void move(Scene& scene, const ParamValues& p, uint32_t steps) {
 }  // namespace
 
 ProceduralScene spheresQuads() {
-  return {{"spheres_quads",
-           "1000 grey spheres under a cloud of translucent blue quads (Modisett 2023, section 5.1)",
-           {{.name = "quads",
-             .unit = "",
-             .fallback = 200,
-             .low = 0,
-             .high = 2000,
-             .whole = true,
-             .help = "how many translucent quads"},
-            {.name = "orientation",
-             .choices = {"aligned", "random"},
-             .help = "quads face the light, or any way"},
-            {.name = "size",
-             .unit = "world units",
-             .fallback = 1,
-             .low = 0.05,
-             .high = 10,
-             .help = "edge of a quad"},
-            {.name = "spheres",
-             .fallback = 1000,
-             .low = 0,
-             .high = 20000,
-             .whole = true,
-             .help = "how many opaque spheres"},
-            {.name = "rings",
-             .fallback = 8,
-             .low = 3,
-             .high = 64,
-             .whole = true,
-             .help = "subdivision: a sphere has 4 rings (rings - 1) triangles"},
-            sunRadiusParam(),
-            {.name = "seed",
-             .fallback = 1,
-             .low = 0,
-             .high = 4294967295.0,
-             .whole = true,
-             .help = "of all places and turns"},
-            {.name = "moving",
-             .fallback = 0,
-             .low = 0,
-             .high = 22000,
-             .whole = true,
-             .help = "how many of the spheres and quads go round circles, in a loop of frames "
-                     "(--motion steps=N)"}}},
-          make,
-          move};
+  return {
+      {"spheres_quads",
+       "1000 grey spheres under a cloud of translucent blue quads (Modisett 2023, section 5.1)",
+       {countParam("quads", 200, 0, 2000, "how many translucent quads"),
+        {.name = "orientation",
+         .choices = {"aligned", "random"},
+         .help = "quads face the light, or any way"},
+        {.name = "size",
+         .unit = "world units",
+         .fallback = 1,
+         .low = 0.05,
+         .high = 10,
+         .help = "edge of a quad"},
+        countParam("spheres", 1000, 0, 20000, "how many opaque spheres"),
+        countParam("rings", 8, 3, 64, "subdivision: a sphere has 4 rings (rings - 1) triangles"),
+        sunRadiusParam(),
+        seedParam("places and turns"),
+        {.name = "moving",
+         .fallback = 0,
+         .low = 0,
+         .high = 22000,
+         .whole = true,
+         .help = "how many of the spheres and quads go round circles, in a loop of frames "
+                 "(--motion steps=N)"}}},
+      make,
+      move};
 }
 
 }  // namespace sb

@@ -133,13 +133,7 @@ Scene make(const ParamValues& p) {
   }
   scene.lights.push_back(chosenLight(p, {1, -0.75, -0.55}, {0, 1, 0}, 14));
 
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({2.6, 7.8, 14.2}, {-0.6, 1.1, 0});
-  camera.nearPlane = 2;
-  camera.farPlane = 40;
-  scene.cameras.push_back(camera);
+  addView(scene, {2.6, 7.8, 14.2}, {-0.6, 1.1, 0}, 0.8, 2, 40);
   return scene;
 }
 
@@ -147,12 +141,8 @@ Scene make(const ParamValues& p) {
 
 ProceduralScene teapot() {
   return {{"teapot", "the Utah teapot behind coloured panes",
-           withLight({{.name = "segments",
-                       .fallback = 10,
-                       .low = 1,
-                       .high = 100,
-                       .whole = true,
-                       .help = "tessellation: each of the 32 patches has 2 segments^2 triangles"},
+           withLight({countParam("segments", 10, 1, 100,
+                                 "tessellation: each of the 32 patches has 2 segments^2 triangles"),
                       {.name = "alpha",
                        .fallback = 0.6,
                        .low = 0,

@@ -25,13 +25,7 @@ Scene make(const ParamValues& p) {
               lookFrom(wall, wall - glm::dvec3(-0.3, 0, 1)));
   scene.lights.push_back(chosenLight(p, {1.2, -0.05, -1}, wall, 16));
 
-  Camera camera;
-  camera.name = "view";
-  camera.fovY = 0.8;
-  camera.toWorld = lookFrom({-0.1, 0.6, 17}, {-0.1, 0, -1});
-  camera.nearPlane = 2;
-  camera.farPlane = 50;
-  scene.cameras.push_back(camera);
+  addView(scene, {-0.1, 0.6, 17}, {-0.1, 0, -1}, 0.8, 2, 50);
   return scene;
 }
 
