@@ -10,7 +10,7 @@ GPU_TEST(SharedHash, ShaderAndCpuAgreeOnEveryBit) {
   std::vector<glm::uvec4> inputs = {{0, 0, 0, 0}, {65535, 65535, ~0u, ~0u}, {1, 2, 3, 4}};
   Pcg random(7);
   while (inputs.size() < 65536)
-    inputs.emplace_back(random.below(65536), random.below(65536), random.next(), random.next());
+    inputs.push_back({random.below(65536), random.below(65536), random.next(), random.next()});
   rhi::Pipeline pipeline = device().createPipeline(rhi::ComputePipelineDesc{
       .label = "hash", .compute = &testShaders().get("techniques/hash.comp")});
   rhi::Buffer in = bufferOf(device(), inputs);

@@ -21,8 +21,8 @@ GPU_TEST(SharedMedium, ShaderAndTruthAgree) {
   Pcg random(3);
   std::vector<glm::vec4> inputs;
   while (inputs.size() < 4096)
-    inputs.emplace_back(glm::dvec4(random.uniform(-1, 1), random.uniform(-1, 1),
-                                   random.uniform(-1, 1), random.uniform(-1, 1)));
+    inputs.emplace_back(glm::dvec4{random.uniform(-1, 1), random.uniform(-1, 1),
+                                   random.uniform(-1, 1), random.uniform(-1, 1)});
   rhi::Pipeline pipeline = device().createPipeline(rhi::ComputePipelineDesc{
       .label = "medium", .compute = &testShaders().get("techniques/medium.comp")});
   rhi::Buffer uniform = bufferOf(device(), std::vector<gpu::MediaBlock>{block});

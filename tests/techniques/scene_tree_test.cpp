@@ -15,15 +15,15 @@ namespace {
 Box boxAround(const glm::dvec3& middle, double half) { return {middle - half, middle + half}; }
 
 Box randomBox(Pcg& random, double room) {
-  const glm::dvec3 middle(random.uniform(-room, room), random.uniform(0, 5),
-                          random.uniform(-room, room));
+  const glm::dvec3 middle{random.uniform(-room, room), random.uniform(0, 5),
+                          random.uniform(-room, room)};
   // Few are large.
   return boxAround(middle, random.below(20) == 0 ? random.uniform(1, room) : random.uniform(0, 1));
 }
 
 ConvexRegion randomRegion(Pcg& random) {
   ConvexRegion region;
-  const glm::dvec3 middle(random.uniform(-60, 60), random.uniform(0, 5), random.uniform(-60, 60));
+  const glm::dvec3 middle{random.uniform(-60, 60), random.uniform(0, 5), random.uniform(-60, 60)};
   if (random.below(2)) region.sphere = Sphere{middle, random.uniform(0, 20)};
   if (random.below(2) || !region.sphere) {
     Camera camera;

@@ -3,7 +3,10 @@
 // (validation 7).
 #include <gtest/gtest.h>
 
+#include "suites/scenes/procedural/parts/shapes.h"
+#include "suites/truth/rays/ray_scene.h"
 #include "suites/truth/rays/watertight.h"
+#include "techniques/scene/light_area.h"
 #include "tests/truth/ray_soup.h"
 
 namespace sb {
@@ -145,6 +148,15 @@ TEST(TruthRays, FloatsFindTheSameButForAFewPixels) {
       differ += exactHits != roughHits;
     }
   EXPECT_LE(differ, size_t(1e-4 * kSize * kSize));
+}
+
+TEST(TruthRays, TheSceneReachesToTheRimsOfItsLamps) {
+  Scene scene = floorScene(false);
+  scene.cameras[0].toWorld[3] = {0, 0.5, 0, 1};
+  Light lamp = pointLight({0, 20, 0});
+  makeSphere(lamp, 3);
+  addLight(scene, lamp);
+  EXPECT_EQ(RayScene(scene, 4, 4).extent(), 22.5);
 }
 
 }  // namespace

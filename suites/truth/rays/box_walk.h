@@ -25,7 +25,8 @@ struct alignas(64) BoxNode {
 struct alignas(64) TriangleLeaf {
   double corner[3][3][kLeafTriangles];  ///< [corner][axis][triangle]; NaN in places without one
   /// A ray that is stopped by whatever blocks it is stopped for sure if its beginning and its end
-  /// lie farther from the triangle's plane: heights times twice the triangle's area.
+  /// lie farther from the triangle's plane than so many heights: these times four times the
+  /// triangle's area, and what doubles round off.
   float clear[kLeafTriangles];
   uint32_t triangle[kLeafTriangles];
 };

@@ -64,7 +64,7 @@ class RayPacket {
   Bvh::PacketHits& m_hits;
   const BoxWalks& m_walks;
   std::array<RaySearch, kPacket> m_searches;
-  WalkPacket m_packet;
+  WalkPacket m_packet{};  ///< walks compute with the places without a ray, too
   size_t m_first;
   uint32_t m_begun;  ///< a bit for each whose line met a triangle
 };

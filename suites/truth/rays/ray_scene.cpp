@@ -5,20 +5,24 @@
 #include <limits>
 
 #include "suites/truth/rays/ray_packet.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
 
 using glm::dvec3;
 
-double extentOf(const std::vector<TruthTriangle>& triangles, const std::vector<dvec3>& lights) {
+double extentOf(const std::vector<TruthTriangle>& triangles, const std::vector<Light>& lights,
+                const std::vector<dvec3>& positions) {
   double extent = 0;
-  auto add = [&](const dvec3& p) {
-    extent = std::max(extent, std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+  const auto add = [&](const dvec3& p, double size = 0) {
+    extent = std::max(extent, size + std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
   };
   for (const TruthTriangle& t : triangles)
     for (const dvec3& p : t.corners) add(p);
-  for (const dvec3& p : lights) add(p);
+  // Rays end all over a lamp.
+  for (size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].type != LightType::Directional) add(positions[i], lightRadius(lights[i]));
   return extent;
 }
 
@@ -64,7 +68,7 @@ RayScene::RayScene(const Scene& scene, uint32_t width, uint32_t height)
     const Facet f = facetOf(scene, t.instance, t.number, eye);
     m_planes.push_back({f.normal, f.ulp});
   }
-  m_reach = extentOf(m_triangles, m_lightPositions);
+  m_reach = extentOf(m_triangles, scene.lights, m_lightPositions);
   const Camera& c = scene.camera();
   const double picture = c.orthographic ? c.halfHeight * (1 + double(width) / height) : 0;
   m_bvh = std::make_unique<Bvh>(m_triangles, std::max(m_reach, picture), blockingHeights());

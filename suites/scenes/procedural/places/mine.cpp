@@ -49,11 +49,11 @@ void addBoxes(Scene& scene, uint32_t mesh, const ParamValues& p, double length) 
   const uint32_t count = uint32_t(p.find("casters")->second);
   for (uint32_t i = 0; i < count; ++i) {
     const double along = (i + random.uniform()) * length / count;
-    const double aside = (random.below(2) ? 1 : -1) * random.uniform(0.7, 1.4);
-    const glm::dvec3 half(random.uniform(0.15, 0.35), random.uniform(0.15, 0.4),
-                          random.uniform(0.15, 0.35));
+    const double side = random.below(2) ? 1 : -1, aside = side * random.uniform(0.7, 1.4);
+    const double z = random.uniform(0.15, 0.35), y = random.uniform(0.15, 0.4);
+    const double x = random.uniform(0.15, 0.35), turn = random.uniform(0, 1.5);
     addInstance(scene, "box" + std::to_string(i), mesh,
-                solidAt(at(along, aside, half.y), half, random.uniform(0, 1.5)));
+                solidAt(at(along, aside, y), {x, y, z}, turn));
   }
 }
 
