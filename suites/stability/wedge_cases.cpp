@@ -2,8 +2,10 @@
 // edges, edges that point at the light, reach into it or lie on its axis, eyes within penumbrae,
 // many edges at once, casters that overlap.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "base/worst.h"
 #include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 #include "techniques/scene/light_area.h"
@@ -47,12 +49,13 @@ struct ShareErrors {
   double lighter = 0;  ///< than it
 };
 
-/// On the floor, away from the picture's edges of surfaces.
+/// On the floor, away from the picture's edges of surfaces; no numbers where nothing was compared.
 ShareErrors shareErrors(const CaseContext& context, Scene scene) {
   Probe probe(context, std::move(scene), {.size = {48, 36}});
   const Tracer tracer(probe.scene(), 48, 36);
   const VisibilityImage& found = probe.visibility(0)[0];
   ShareErrors e;
+  bool compared = false;
   const uint32_t step = context.quick ? 5 : 2;
   for (uint32_t y = 1; y < 35; y += step)
     for (uint32_t x = 1; x < 47; x += step) {
@@ -64,9 +67,11 @@ ShareErrors shareErrors(const CaseContext& context, Scene scene) {
       if (!floor) continue;
       const double expected = tracer.visibility(0, *tracer.pointAt(x, y, 0), {.pattern = 1024}).x;
       const double error = found[4 * (size_t(y) * 48 + x)] - expected;
-      e.worst = std::max(e.worst, std::abs(error));
-      e.lighter = std::max(e.lighter, error);
+      e.worst = base::worse(e.worst, std::abs(error));
+      e.lighter = base::worse(e.lighter, error);
+      compared = true;
     }
+  if (!compared) e.worst = e.lighter = std::numeric_limits<double>::quiet_NaN();
   return e;
 }
 
