@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "suites/scenes/analysis/analysis.h"
@@ -10,6 +11,7 @@
 #include "techniques/plan/error.h"
 #include "techniques/scene/box.h"
 #include "techniques/scene/light_area.h"
+#include "techniques/scene/tree/region.h"
 
 namespace sb {
 namespace {
@@ -149,6 +151,37 @@ TEST(Procedural, SpheresAndQuads) {
   // Fewer quads are the first of more.
   const Scene fewer = makeScene("spheres_quads:quads=7");
   EXPECT_EQ(fewer.instances.back().toWorld, scene.instances[1007].toWorld);
+}
+
+TEST(Procedural, TheYardsTreeHangsTogether) {
+  for (int seed = 1; seed <= 40; ++seed) {
+    const Scene scene = makeScene("yard:casters=0,seed=" + std::to_string(seed));
+    Box trunk;
+    std::vector<Sphere> balls;
+    for (const Instance& i : scene.instances) {
+      const Box box = instanceBox(scene, i);
+      if (i.name == "trunk") trunk = box;
+      if (i.name.starts_with("crown"))
+        balls.push_back({box.center(), (box.high.x - box.low.x) / 2});
+    }
+    ASSERT_EQ(balls.size(), 7u);
+    ASSERT_FALSE(trunk.empty());
+    std::vector<Sphere> held;
+    const auto holds = [&](const Sphere& ball) {
+      const glm::dvec3 nearest = glm::clamp(ball.center, trunk.low, trunk.high);
+      return glm::distance(nearest, ball.center) < ball.radius ||
+             std::ranges::any_of(held, [&](const Sphere& other) {
+               return glm::distance(other.center, ball.center) < other.radius + ball.radius;
+             });
+    };
+    for (size_t round = 0; round < 7; ++round)
+      std::erase_if(balls, [&](const Sphere& ball) {
+        const bool found = holds(ball);
+        if (found) held.push_back(ball);
+        return found;
+      });
+    EXPECT_TRUE(balls.empty()) << "seed " << seed;
+  }
 }
 
 TEST(Procedural, WindowHasLeadAndGlassOfEveryKind) {

@@ -1,10 +1,12 @@
 // After figure B.1 of the third source document: a back yard between walls, with a fence, a tree, a
 // bench, barrels and boxes, under a few lamps. Shadows of many sizes overlap, and posts and
 // branches are narrower than their penumbrae.
+#include <algorithm>
 #include <cmath>
 
 #include "suites/scenes/procedural/parts/random.h"
 #include "suites/scenes/procedural/parts/solids.h"
+#include "techniques/scene/tree/region.h"
 
 namespace sb {
 namespace {
@@ -49,11 +51,22 @@ void addTree(Scene& scene, const Materials& m, Pcg& random) {
   const uint32_t trunk = addMesh(scene, columnMesh("trunk", m.wood, 9));
   addInstance(scene, "trunk", trunk, solidAt(foot + glm::dvec3(0, 1.2, 0), {0.18, 1.2, 0.18}));
   const uint32_t crown = addMesh(scene, sphereMesh("crown", m.leaves, 6));
+  const glm::dvec3 top = foot + glm::dvec3(0, 2.4, 0);
+  std::vector<Sphere> grown = {{top, 0}};
   for (int i = 0; i < 7; ++i) {
     const double x = random.uniform(-0.8, 0.8), y = random.uniform(2.2, 3.4);
     const double z = random.uniform(-0.8, 0.8), radius = random.uniform(0.3, 0.6);
+    Sphere ball{foot + glm::dvec3(x, y, z), radius};
+    // Meshes lie a little within their spheres.
+    const auto touches = [&](const Sphere& s) {
+      return glm::distance(s.center, ball.center) < 0.9 * (s.radius + radius);
+    };
+    // What would float is drawn to the top of the trunk.
+    if (std::ranges::none_of(grown, touches))
+      ball.center = top + glm::normalize(ball.center - top) * (0.8 * radius);
+    grown.push_back(ball);
     addInstance(scene, "crown" + std::to_string(i), crown,
-                solidAt(foot + glm::dvec3(x, y, z), glm::dvec3(radius)));
+                solidAt(ball.center, glm::dvec3(radius)));
   }
 }
 
