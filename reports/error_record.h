@@ -108,8 +108,8 @@ struct Certificate {
 std::string_view certificateVerdict(const Certificate& certificate);
 
 /// The cell's total squared visibility error split by cause; shares sum to 1, or are empty when
-/// there is no error. Causes in order: "noise", "resolution", "inner-layer", "self-shadowing",
-/// "leaking".
+/// there is no error. Causes in order: "noise", "resolution", "inner-layer", "penumbra",
+/// "self-shadowing", "leaking".
 struct Blame {
   double mse = 0;  ///< what is split: mean squared visibility error
   std::vector<std::pair<std::string, double>> shares;

@@ -10,6 +10,7 @@
 #include "suites/metrics/regions.h"
 #include "suites/metrics/weighted.h"
 #include "suites/truth/truth_cache.h"
+#include "techniques/scene/light_area.h"
 
 namespace sb {
 namespace {
@@ -197,6 +198,7 @@ void Judge::blame(const std::vector<Answer>& answers,
                        .variance = variance,
                        .seeds = moments.empty() ? 1 : moments[i][layer].seeds(),
                        .surfaces = m_truth->surfaces[layer],
+                       .areaLight = isAreaLight(m_scene.lights[a.light]),
                        .truthAround = nullptr};
       if (looksUp)
         input.truthAround = [&](uint32_t x, uint32_t y) {

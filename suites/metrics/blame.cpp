@@ -26,6 +26,8 @@ const char* causeName(Cause cause) {
     case Cause::Noise: return "noise";
     case Cause::Resolution: return "resolution";
     case Cause::InnerLayer: return "inner-layer";
+    case Cause::Penumbra:
+      return "penumbra";
     case Cause::SelfShadowing: return "self-shadowing";
     case Cause::Leaking: return "leaking";
   }
@@ -38,6 +40,8 @@ std::array<uint8_t, 3> causeColor(Cause cause) {
     case Cause::Noise: return {204, 121, 167};
     case Cause::Resolution: return {86, 180, 233};
     case Cause::InnerLayer: return {0, 158, 115};
+    case Cause::Penumbra:
+      return {0, 114, 178};
     case Cause::SelfShadowing: return {213, 94, 0};
     case Cause::Leaking: return {240, 228, 66};
   }
@@ -68,8 +72,10 @@ void BlameSum::add(const BlameInput& in) {
     const bool inner = in.surfaces[p] == 2 &&
                        std::min({in.truth[4 * p], in.truth[4 * p + 1], in.truth[4 * p + 2]}) < 1;
     for (size_t c = 0; c < 3; ++c) {
+      const float truth = in.truth[4 * p + c];
       const Cause cause = around && explains(*around, c, values[4 * p + c]) ? Cause::Resolution
                           : inner                                           ? Cause::InnerLayer
+                          : in.areaLight && truth > 0 && truth < 1          ? Cause::Penumbra
                           : error[c] < 0                                    ? Cause::SelfShadowing
                                                                             : Cause::Leaking;
       const float ofMean = stochastic ? in.variance[4 * p + c] / float(in.seeds) : 0.0f;

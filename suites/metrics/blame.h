@@ -2,9 +2,11 @@
 // squared error to exactly one cause, except that the variance over seeds of a stochastic technique
 // goes to noise first.
 //   noise           what the mean over seeds does not have
-//   resolution      the truth jumps within the lookup's reach or in the pixels beside, and the value
+//   resolution      the truth jumps within the lookup's reach or in the pixels beside, and the
+//   value
 //                   lies between what it is there: texels and filter cannot do better
 //   inner-layer     elsewhere, on a translucent receiver that not all light reaches
+//   penumbra        elsewhere, where a part of a light with an extent arrives
 //   self-shadowing  elsewhere, darker than the truth
 //   leaking         elsewhere, lighter than the truth
 #pragma once
@@ -17,8 +19,8 @@
 
 namespace sb {
 
-enum class Cause : uint8_t { Noise, Resolution, InnerLayer, SelfShadowing, Leaking };
-inline constexpr size_t kCauses = 5;
+enum class Cause : uint8_t { Noise, Resolution, InnerLayer, Penumbra, SelfShadowing, Leaking };
+inline constexpr size_t kCauses = 6;
 const char* causeName(Cause cause);
 
 struct ValueRange {
@@ -33,6 +35,7 @@ struct BlameInput {
   Values variance;              ///< over seeds, RGB; empty: not stochastic
   uint32_t seeds = 1;           ///< that mean and variance are over
   std::span<const uint8_t> surfaces;  ///< as Truth::surfaces of the layer
+  bool areaLight = false;             ///< the light has an extent: its shadows have penumbrae
   /// Least and greatest truth around a pixel, as far as a lookup reaches. Asked only for pixels with
   /// an error above 1/255. Null: there are no lookups, and no resolution to blame.
   std::function<ValueRange(uint32_t x, uint32_t y)> truthAround;

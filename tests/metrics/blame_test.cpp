@@ -14,6 +14,7 @@ struct One {
   bool edge = false;   ///< the truth around is 0..1
   float variance = -1; ///< below 0: not stochastic
   uint32_t seeds = 1u << 30;
+  bool areaLight = false;
 };
 
 std::map<std::string, double> blameOf(const One& one) {
@@ -24,6 +25,7 @@ std::map<std::string, double> blameOf(const One& one) {
   BlameInput input{.measured = measured, .truth = truth, .surfaces = surfaces};
   if (one.variance >= 0) input.mean = measured, input.variance = variance;
   input.seeds = one.seeds;
+  input.areaLight = one.areaLight;
   input.truthAround = [&](uint32_t, uint32_t) {
     return one.edge ? ValueRange{{0, 0, 0}, {1, 1, 1}}
                     : ValueRange{{one.truth, one.truth, one.truth}, {one.truth, one.truth, one.truth}};
@@ -44,6 +46,10 @@ TEST(Blame, EachErrorHasItsCause) {
   EXPECT_EQ(blameOf({.measured = 0.5f, .truth = 1, .surface = 2})["self-shadowing"], 1);
   // Lighter than anything around: no filter makes that.
   EXPECT_EQ(blameOf({.measured = 1.5f, .truth = 0, .edge = true})["leaking"], 1);
+  // A hard shadow has no penumbra: it is darker on one side, lighter on the other.
+  for (const float hard : {0.0f, 1.0f})
+    EXPECT_EQ(blameOf({.measured = hard, .truth = 0.5f, .areaLight = true})["penumbra"], 1);
+  EXPECT_EQ(blameOf({.measured = 1, .truth = 0, .areaLight = true})["leaking"], 1);
   EXPECT_TRUE(blameOf({}).empty());
 }
 

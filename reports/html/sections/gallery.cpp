@@ -26,6 +26,7 @@ const std::pair<const char*, const char*> kCauses[] = {
     {"noise", "differs from seed to seed"},
     {"resolution", "a shadow edge, or a surface's edge, within the lookup's reach"},
     {"inner-layer", "elsewhere, on a translucent receiver"},
+    {"penumbra", "elsewhere, where a part of a light with an extent arrives"},
     {"self-shadowing", "elsewhere, darker than the truth"},
     {"leaking", "elsewhere, lighter than the truth"}};
 
