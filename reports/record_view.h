@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reports/record.h"
 
@@ -20,6 +21,9 @@ const std::optional<Distribution>& comparedTime(const Record& r);
 /// Is the error of visibility less than three standard errors of the truth, which therefore cannot
 /// tell it from 0? Never where the truth is exact.
 bool belowTruth(const Record& r);
+/// What scenes call for and techniques cannot show, in words, one line a scene and effect; of the
+/// baseline only where nothing else shows it.
+std::vector<std::string> unshownEffects(const Run& run);
 /// The record's word on why a value is absent; "" when there is none.
 std::string whyOf(const Record& r, const std::string& key);
 

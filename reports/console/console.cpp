@@ -38,7 +38,9 @@ std::string median(const std::optional<Distribution>& d) {
 
 std::string ratio(const Record& r, const std::string& kind) {
   for (const Ratio& x : r.ratios)
-    if (x.kind == kind) return fmt::format("{:.2f} [{:.2f},{:.2f}]", x.value, x.low, x.high);
+    if (x.kind == kind)
+      return x.low < x.high ? fmt::format("{:.2f} [{:.2f},{:.2f}]", x.value, x.low, x.high)
+                            : fmt::format("{:.2f} [none]", x.value);
   return "-";
 }
 
@@ -129,25 +131,10 @@ std::string legend(const Run& run) {
   return out;
 }
 
-/// What a scene calls for and none of its cells shows.
-std::string unshown(const Run& run) {
-  std::map<std::string, std::set<std::string>> lacking;
-  for (const Record& r : run.records) {
-    if (r.status != Status::Ok) continue;
-    const std::set<std::string> here(r.effectsUnrepresented.begin(), r.effectsUnrepresented.end());
-    const auto [scene, isNew] = lacking.try_emplace(r.id.scene, here);
-    if (!isNew) std::erase_if(scene->second, [&](const auto& e) { return !here.contains(e); });
-  }
-  std::string out;
-  for (const auto& [scene, effects] : lacking)
-    for (const std::string& effect : effects)
-      out += fmt::format("warning: {} calls for {}, which no cell here shows\n", scene, effect);
-  return out;
-}
-
 /// The same words of several cells stand once.
 std::string warnings(const Run& run) {
-  std::string out = unshown(run);
+  std::string out;
+  for (const std::string& text : unshownEffects(run)) out += "warning: " + text + "\n";
   for (const std::string& w : run.warnings) out += "warning: " + oneLine(w) + "\n";
   std::vector<std::pair<std::string, std::vector<std::string>>> byText;
   auto add = [&](const std::string& text, const std::string& name) {

@@ -23,7 +23,7 @@ std::string milliseconds(double ms) { return fmt::format("{:.2f}", ms); }
 std::string rmse(double error) { return fmt::format("{:.3g}", error); }
 
 std::string interval(const Interval& i, auto text) {
-  return fmt::format("[{},{}]", text(i.low), text(i.high));
+  return i.low < i.high ? fmt::format("[{},{}]", text(i.low), text(i.high)) : "none";
 }
 
 std::string timeName(const TradeOff& t) { return t.timeKey == "cpu_ms" ? "CPU ms" : "frame ms"; }

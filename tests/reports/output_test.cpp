@@ -106,6 +106,27 @@ TEST(Console, LongScenesAreNumbered) {
   EXPECT_EQ(table.find("[2]"), std::string::npos);
 }
 
+TEST(Console, SaysWhatATechniqueDoesNotShow) {
+  report::Run run;
+  const auto add = [&](const std::string& technique, std::vector<std::string> lacks) -> Record& {
+    Record r;
+    r.id.technique = technique;
+    r.id.scene = "layers";
+    r.status = Status::Ok;
+    r.effectsUnrepresented = std::move(lacks);
+    return run.records.emplace_back(std::move(r));
+  };
+  add("none", {"area-lights", "opaque-casters", "media"}).role = Role::Baseline;
+  add("ShadowMap", {"area-lights", "media"});
+  add("CSSM2", {"area-lights", "media"});
+  add("PenumbraWedge", {"media"});
+  const std::vector<std::string> expected = {
+      "layers calls for area-lights, which CSSM2, ShadowMap do not show",
+      "layers calls for media, which no cell here shows"};
+  EXPECT_EQ(unshownEffects(run), expected);
+  EXPECT_NE(toTable(run).find("warning: " + expected[0] + "\n"), std::string::npos);
+}
+
 TEST(Output, JsonIsExact) {
   const std::string json = toJson(sampleRun());
   EXPECT_EQ(json, expected("run.json", json));

@@ -122,7 +122,8 @@ std::string mebibytes(uint64_t bytes) {
 }
 
 std::string withInterval(double value, double low, double high) {
-  return figure(value) + " [" + figure(low) + ", " + figure(high) + "]";
+  return figure(value) + (low < high ? " [" + figure(low) + ", " + figure(high) + "]"
+                                     : std::string(" (no interval)"));
 }
 
 }  // namespace report

@@ -11,8 +11,9 @@ namespace {
 
 /// The interval below its value keeps columns narrow.
 TableEntry over(double value, double low, double high) {
-  return {.html = figure(value) + "<small>[" + figure(low) + ", " + figure(high) + "]</small>",
-          .value = value};
+  const std::string interval =
+      low < high ? "[" + figure(low) + ", " + figure(high) + "]" : "no interval";
+  return {.html = figure(value) + "<small>" + interval + "</small>", .value = value};
 }
 
 TableEntry timeEntry(const ScenePart& part, const Record& r, const TradePoint* point) {

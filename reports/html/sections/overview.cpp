@@ -80,6 +80,7 @@ std::string notices(const PageModel& model, const Names& notes) {
   out += failed.html("serious", "failed");
   out += contaminated.html("serious", "contaminated, in no ratio and no plot");
   out += skipped.html("mild", "skipped");
+  for (const std::string& text : unshownEffects(run)) out += notice("mild", escaped(text));
   for (const std::string& w : run.warnings) out += notice("mild", escaped(w));
   out += warned.html("mild", "with a warning");
   for (const std::string& note : notes) out += notice("mild", escaped(note));

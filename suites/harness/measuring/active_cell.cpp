@@ -151,6 +151,8 @@ void ActiveCell::finish(Stop stop) {
     record.why["precision"] = std::to_string(m_samples.blocks.size()) +
                               " blocks are all that the budget allowed; an interval needs " +
                               std::to_string(m_settings->stop.minBlocks);
+  else if (m_samples.blocks.size() < 2)
+    record.why["precision"] = "a single block has no interval";
   else
     record.precision = relativeHalfWidth(blockMeans(m_samples, m_software));
   record.stoppedBy = m_slow                    ? "budget"
