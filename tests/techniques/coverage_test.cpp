@@ -8,6 +8,7 @@
 
 #include "shaders/common/shared_coverage.h"
 #include "techniques/scene/light_area.h"
+#include "tests/techniques/scanned_share.h"
 
 namespace sb::test {
 namespace {
@@ -38,24 +39,6 @@ float coveredBy(const LightSight& sight, const Outline& outline) {
     if (hidesCentre(sight, a, b, c)) covered += turned ? -1.0f : 1.0f;
   }
   return covered;
-}
-
-/// Share of disc or square within a polygon, by its crossings with many lines.
-double scanned(const std::vector<dvec2>& polygon, bool square) {
-  const int lines = 8000;
-  double area = 0;
-  for (int k = 0; k < lines; ++k) {
-    const double y = -1 + (k + 0.5) * 2 / lines, half = square ? 1 : std::sqrt(1 - y * y);
-    std::vector<double> crossings;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-      const dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      if ((a.y <= y) == (b.y <= y)) continue;
-      crossings.push_back(std::clamp(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), -half, half));
-    }
-    std::ranges::sort(crossings);
-    for (size_t i = 0; i + 1 < crossings.size(); i += 2) area += crossings[i + 1] - crossings[i];
-  }
-  return area * 2 / lines / (square ? 4 : std::numbers::pi);
 }
 
 std::vector<dvec2> projected(const Outline& outline) {
@@ -120,7 +103,7 @@ TEST(Coverage, AnyOutlineCoversItsArea) {
     const Outline outline = randomOutline(random);
     for (const uint32_t seen : {SEEN_ROUND, SEEN_SQUARE})
       EXPECT_NEAR(coveredBy(unitSight(seen), outline),
-                  scanned(projected(outline), seen == SEEN_SQUARE), 1e-4)
+                  scannedShare(projected(outline), seen != SEEN_SQUARE, 8000), 1e-4)
           << i << " " << seen;
   }
 }

@@ -12,6 +12,7 @@
 #include "suites/truth/tracer.h"
 #include "techniques/scene/light_area.h"
 #include "tests/techniques/gpu_cell.h"
+#include "tests/techniques/scanned_share.h"
 
 namespace sb::test {
 
@@ -104,20 +105,7 @@ inline double hiddenShare(const Light& light, const Occluder& occluder, const gl
     outline.push_back(glm::dvec2(seen) / seen.z);
   }
   if (occluder.convex) outline = convexHull(outline);
-  const int lines = 1000;
-  double area = 0;
-  for (int k = 0; k < lines; ++k) {
-    const double y = -1 + (k + 0.5) * 2 / lines, half = patch.round ? std::sqrt(1 - y * y) : 1;
-    std::vector<double> crossings;
-    for (size_t i = 0; i < outline.size(); ++i) {
-      const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-      if ((a.y <= y) == (b.y <= y)) continue;
-      crossings.push_back(std::clamp(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), -half, half));
-    }
-    std::ranges::sort(crossings);
-    for (size_t i = 0; i + 1 < crossings.size(); i += 2) area += crossings[i + 1] - crossings[i];
-  }
-  return area * 2 / lines / (patch.round ? std::numbers::pi : 4);
+  return scannedShare(outline, patch.round, 1000);
 }
 
 /// Of a layer of surfaces whose points `asked` wants, against 1 less all shares, at least 0.
