@@ -6,7 +6,7 @@ set_target_properties(fake_gpu PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINAR
 configure_file(${CMAKE_CURRENT_LIST_DIR}/fake_gpu/fake_gpu.json
   ${CMAKE_BINARY_DIR}/fake_gpu/fake_gpu.json COPYONLY)
 foreach(part input limits measuring outputs samples stability survive technique timer truth
-    words world)
+    visibility words world)
   add_test(NAME cli.${part}
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/${part}_test.py $<TARGET_FILE:bench>
       ${CMAKE_SOURCE_DIR})

@@ -65,6 +65,13 @@ class Words(Case):
             self.assertIn(words, plan)
         self.assertIn("of the suite quick on vulkan", plan)
 
+    def test_help_says_what_may_be_given(self):
+        text = self.ok("--help").stdout
+        self.assertNotIn("{false}", text)
+        self.assertIn("lights=1..1000  [10]  how many lamps", text)
+        self.assertIn("orientation=aligned|random  [aligned]", text)
+        self.assertIn("sun=0..10 degrees  [0]", text)
+
     def run_line(self, *arguments):
         """The first line of a run that is given up at once."""
         process = subprocess.Popen([BENCH, *arguments], stderr=subprocess.PIPE,

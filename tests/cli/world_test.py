@@ -86,6 +86,20 @@ class Scenes(Case):
                         with open(self.path("b" + suffix), "rb") as b:
                             self.assertEqual(a.read(), b.read(), suffix)
 
+    def test_an_export_stands_still_and_says_so(self):
+        file = self.path("mine.glb")
+        moving = self.ok("scene", "mine:moving=0.5?motion:steps=2", "--export", file)
+        self.assertIn(f"warning: {file} holds the scene where its motion ends", moving.stderr)
+        self.assertEqual(self.ok("scene", "mine", "--export", file).stderr, "")
+
+    def test_the_ending_of_a_picture_is_no_part_of_its_prefix(self):
+        for name in ("a.png", "b.exr", "c", "d.x"):
+            self.ok("render", "--technique", "none", "--scene", "layers", "--backend", "vulkan",
+                    "--size", "16x16", "-o", self.path(name))
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["a.exr", "a.png", "b.exr", "b.png", "c.exr", "c.png", "d.x.exr",
+                          "d.x.png"])
+
     def test_scene_says_what_is_in_it(self):
         self.assertIn("triangles", self.ok("scene", "teapot").stdout)
         self.assertIn("meshes", json.loads(self.ok("scene", "teapot", "--json").stdout))

@@ -13,7 +13,12 @@ int sceneCommand(const Options& options) {
   for (const std::string& edit : options.selection.edits) spec = withEdit(spec, edit);
   const Scene scene = makeScene(spec);
   const Effects effects = analyse(scene, 1.0);
-  if (!options.scene.exportFile.empty()) exportGlb(scene, options.scene.exportFile);
+  if (!options.scene.exportFile.empty()) {
+    exportGlb(scene, options.scene.exportFile);
+    if (!scene.path.empty())
+      say("warning: " + options.scene.exportFile +
+          " holds the scene where its motion ends: a path is not exported");
+  }
   if (options.scene.json)
     print(describeJson(scene, effects).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
           "\n");

@@ -1,7 +1,6 @@
 #include "suites/cli/options/help.h"
 
-#include <cstdio>
-
+#include "base/number.h"
 #include "base/text.h"
 #include "reports/record.h"
 #include "suites/harness/cell.h"
@@ -11,22 +10,26 @@
 namespace sb {
 namespace {
 
-std::string rangeText(const KnobInfo& k) {
-  if (k.choices.empty()) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%g..%g%s%s", k.min, k.max, k.odd ? ", odd" : "",
-                  k.unit.empty() ? "" : (" " + k.unit).c_str());
-    return text;
-  }
+/// "1|2|4", or "0..10 degrees".
+std::string valuesText(const std::vector<std::string>& choices, double low, double high,
+                       const std::string& unit) {
+  if (choices.empty())
+    return base::numberText(low) + ".." + base::numberText(high) + (unit.empty() ? "" : " " + unit);
   std::string out;
-  for (const std::string& c : k.choices) out += (out.empty() ? "" : "|") + c;
+  for (const std::string& c : choices) out += (out.empty() ? "" : "|") + c;
   return out;
+}
+
+void addLine(std::string& out, const std::string& name, const std::string& values,
+             const std::string& fallback, const std::string& help) {
+  out += "      " + name + "=" + values + "  [" + fallback + "]  " + help + "\n";
 }
 
 void describe(std::string& out, const TechniqueInfo& info) {
   out += "  " + info.name + ": " + info.title + " (" + info.paper + ")\n";
   for (const KnobInfo& k : info.knobs)
-    out += "      " + k.name + "=" + rangeText(k) + "  [" + k.fallback + "]  " + k.help + "\n";
+    addLine(out, k.name, valuesText(k.choices, k.min, k.max, k.odd ? "odd " + k.unit : k.unit),
+            k.fallback, k.help);
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ std::string helpFooter() {
   for (const SceneInfo& s : proceduralScenes()) {
     out += "  " + s.name + ": " + s.help + "\n";
     for (const SceneParam& p : s.params)
-      out += "      " + p.name + "  [" + p.fallbackText() + (p.unit.empty() ? "" : " " + p.unit) + "]  " + p.help + "\n";
+      addLine(out, p.name, valuesText(p.choices, p.low, p.high, p.unit), p.fallbackText(), p.help);
   }
   out +=
       "Names of cells: TECHNIQUE[+TRANSPARENCY][@LIGHTS]/backend/scene:params/knob:value/WxH;\n"

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "base/number.h"
 #include "base/percent.h"
@@ -15,6 +16,22 @@
 #include "techniques/plan/error.h"
 
 namespace sb {
+namespace {
+
+/// CLI11's own inverted flags show as `--no-truth{false}` in the help.
+void addSwitchOff(CLI::App& app, const char* name, bool& value, const std::string& help) {
+  app.add_flag_callback(
+      name, [&value] { value = false; }, help);
+}
+
+/// A picture's path without its ending: who writes `-o x.png` means x.png, not x.png.png.
+std::string picturePrefix(const std::string& path) {
+  const std::filesystem::path p(path);
+  const bool picture = p.extension() == ".png" || p.extension() == ".exr";
+  return picture ? std::filesystem::path(p).replace_extension().string() : path;
+}
+
+}  // namespace
 
 std::optional<Options> parseOptions(std::vector<std::string> arguments) {
   Options o;
@@ -65,14 +82,16 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
       ->type_name("[FILE]");
   app.add_flag("--allow-skips", o.measuring.allowSkips,
                "exit with 0 although cells were skipped for want of memory");
-  app.add_flag("!--no-truth", o.measuring.truth, "no errors: nothing is ray-traced");
-  app.add_flag("!--no-cache", o.cache.used, "trace truths anew, and keep none");
+  addSwitchOff(app, "--no-truth", o.measuring.truth, "no errors: nothing is ray-traced");
+  addSwitchOff(app, "--no-cache", o.cache.used, "trace truths anew, and keep none");
   app.add_flag("--list", o.list, "print the names of the cells and stop");
 
   CLI::App* render = app.add_subcommand("render", "write the picture of one cell as PNG and EXR");
   addSelection(*render, o);
   addCommon(*render, o);
-  render->add_option("--output,-o", o.picture.prefix, "path without extension [render]")
+  render
+      ->add_option("--output,-o", o.picture.prefix,
+                   "path; .png or .exr at its end does not count [render]")
       ->type_name("PREFIX");
   render->add_flag(
       "--visibility", o.picture.visibility,
@@ -94,10 +113,12 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
                                     "its edges, and the visibility of all lights in one EXR");
   addScene(*truth, o);
   addMaxMemory(*truth, o);
-  truth->add_option("--output,-o", o.picture.prefix, "path without extension [truth]")
+  truth
+      ->add_option("--output,-o", o.picture.prefix,
+                   "path; .png or .exr at its end does not count [truth]")
       ->type_name("PREFIX");
   addExposure(*truth, o);
-  truth->add_flag("!--no-cache", o.cache.used, "trace anew, and keep nothing");
+  addSwitchOff(*truth, "--no-cache", o.cache.used, "trace anew, and keep nothing");
   truth->add_flag("--quiet", o.quiet, "no progress line");
   CLI::App* cache = app.add_subcommand("cache", "say how many truths and unfinished runs are kept on disk, and where");
   cache->add_flag(
@@ -137,6 +158,7 @@ std::optional<Options> parseOptions(std::vector<std::string> arguments) {
     o.command = Command::Truth;
     if (truth->count("--output") == 0) o.picture.prefix = "truth";
   }
+  o.picture.prefix = picturePrefix(o.picture.prefix);
   if (report->parsed()) o.command = Command::Report;
   if (o.command != Command::Measure && !o.benchmark.arguments.empty())
     throw InputError(o.benchmark.arguments.front(),

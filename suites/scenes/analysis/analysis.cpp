@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "suites/scenes/analysis/parts.h"
+#include "suites/scenes/analysis/penumbra_bound.h"
 #include "techniques/scene/geometry/mesh_shape.h"
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/medium_data.h"
@@ -117,8 +118,7 @@ void noteAreaLights(const Analysis& a, const Effects& effects, Notes& notes) {
     widest = std::max(widest, light.penumbra);
   }
   notes.note(Effect::AreaLights, soft > 0,
-             counted(soft, "light", "lights") + " with an extent: penumbrae of up to " +
-                 fmt::format("{:.3g}", 100 * widest) + " % of the picture's height",
+             counted(soft, "light", "lights") + " with an extent: " + penumbraBoundText(widest),
              area == 0     ? "no light that touches the view has an extent"
              : widest == 0 ? "no light with an extent throws shadows into the view"
                            : "penumbrae are at most " + fmt::format("{:.2g}", widest * a.rows) +

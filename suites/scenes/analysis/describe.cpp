@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "suites/scenes/analysis/penumbra_bound.h"
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
 #include "techniques/scene/placed_scene.h"
@@ -118,8 +119,7 @@ std::string lightLine(const json& light, const std::string& extent) {
     return fmt::format("  {} ({}): does not touch the view\n", light["name"].get<std::string>(),
                        light["type"].get<std::string>());
   const double penumbra = light["penumbra"];
-  const std::string soft =
-      penumbra > 0 ? fmt::format(", penumbrae up to {:.3g} % of the height", 100 * penumbra) : "";
+  const std::string soft = penumbra > 0 ? ", " + penumbraBoundText(penumbra) : "";
   return fmt::format("  {} ({}{}): {} opaque, {} perforated, {} translucent casters{}\n",
                      light["name"].get<std::string>(), light["type"].get<std::string>(), extent,
                      light["opaque_casters"].get<size_t>(),

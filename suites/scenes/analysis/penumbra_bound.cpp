@@ -1,5 +1,7 @@
 #include "suites/scenes/analysis/penumbra_bound.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -103,6 +105,11 @@ double penumbraBound(const Analysis& analysis, const LightEffects& light) {
     if (medium.visible && medium.scatters && distances.mayShade(medium.box))
       widest = std::max(widest, analysis.view.extent(medium.box));
   return widest;
+}
+
+std::string penumbraBoundText(double bound) {
+  if (bound >= 1) return "penumbrae that may be wider than the picture is high";
+  return fmt::format("penumbrae of at most {:.3g} % of the picture's height", 100 * bound);
 }
 
 }  // namespace sb

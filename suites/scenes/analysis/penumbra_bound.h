@@ -1,6 +1,8 @@
 // How wide the penumbrae of a light with an extent can be in the picture.
 #pragma once
 
+#include <string>
+
 #include "suites/scenes/analysis/parts.h"
 
 namespace sb {
@@ -13,5 +15,7 @@ namespace sb {
 /// h (tan(t + a) - tan(t - a)) wide along the slope and less across. Receivers that are not flat
 /// may lie along the light, so that only their size in the picture bounds it.
 double penumbraBound(const Analysis& analysis, const LightEffects& light);
+/// Such a bound (above 0) in words: it may well exceed the picture.
+std::string penumbraBoundText(double bound);
 
 }  // namespace sb
