@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/tracer.h"
 

@@ -2,9 +2,10 @@
 // 01, invariants 1-5; spec 17, G11).
 #include <cmath>
 
+#include "base/worst.h"
 #include "suites/scenes/edit/framing.h"
-#include "suites/scenes/procedural/shapes.h"
-#include "suites/scenes/procedural/solids.h"
+#include "suites/scenes/procedural/parts/shapes.h"
+#include "suites/scenes/procedural/parts/solids.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/tracer.h"
 
@@ -158,7 +159,7 @@ GPU_TEST(ShadowMapBias, GrazingLightErrsByAtMostATenthOfIt) {
     const auto a = with.picture(), b = without.picture();
     double worst = 0;
     for (size_t i = 0; i < a.rgba.size(); ++i)
-      worst = std::max(worst, double(std::abs(a.rgba[i] - b.rgba[i])));
+      worst = base::worse(worst, double(std::abs(a.rgba[i] - b.rgba[i])));
     EXPECT_LE(worst, 0.1 * scene.lights[0].intensity) << degrees;
     const double cosine = std::cos(glm::radians(degrees));
     for (const float x : with.visibility()[0]) {
