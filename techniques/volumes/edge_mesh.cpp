@@ -1,7 +1,9 @@
 #include "techniques/volumes/edge_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
 #include <span>
 
 #include "techniques/scene/geometry/mesh_edges.h"
@@ -55,6 +57,20 @@ int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
   return outward ? 1 : inward ? -1 : 0;
 }
 
+std::vector<uint32_t> castingTriangles(const Mesh& mesh, Doubles doubles) {
+  const std::vector<uint32_t> weld = weldedVertices(mesh.positions);
+  std::set<std::array<uint32_t, 3>> known;
+  std::vector<uint32_t> triangles;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    if (!hasArea(mesh, t)) continue;
+    std::array<uint32_t, 3> corners;
+    for (size_t c = 0; c < 3; ++c) corners[c] = weld[mesh.indices[3 * size_t(t) + c]];
+    std::ranges::sort(corners);
+    if (doubles == Doubles::Each || known.insert(corners).second) triangles.push_back(t);
+  }
+  return triangles;
+}
+
 }  // namespace
 
 bool hasArea(const Mesh& mesh, uint32_t triangle) {
@@ -63,10 +79,13 @@ bool hasArea(const Mesh& mesh, uint32_t triangle) {
   return glm::dot(n, n) > 0;
 }
 
-EdgeMesh edgeMesh(const Mesh& mesh) {
+EdgeMesh edgeMesh(const Mesh& mesh, Doubles doubles) {
+  EdgeMesh out{.edges = {}, .triangles = castingTriangles(mesh, doubles)};
   std::vector<EdgeSide> sides = edgeSides(mesh);
-  std::erase_if(sides, [&](const EdgeSide& side) { return !hasArea(mesh, side.triangle); });
-  EdgeMesh out{.edges = {}, .closed = !sides.empty()};
+  std::erase_if(sides, [&](const EdgeSide& side) {
+    return !std::ranges::binary_search(out.triangles, side.triangle);
+  });
+  out.closed = !sides.empty();
   for (size_t first = 0, end = 0; first < sides.size(); first = end) {
     while (end < sides.size() && sides[end].low == sides[first].low &&
            sides[end].high == sides[first].high)
