@@ -9,7 +9,7 @@ const std::vector<StabilityCase>& stabilityCases() {
     std::vector<StabilityCase> all;
     for (const auto& part :
          {genericCases(), opaqueCases(), concaveCases(), translucentCases(),
-          boundaryCases(), volumeCases(), wedgeCases(), transparencyCases(), tortureCases()})
+          boundaryCases(), volumeCases(), wedgeCases(), wedgeSweepCases(), transparencyCases(), tortureCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -78,7 +78,7 @@ class LightWedges {
   std::vector<gpu::WedgeTriangle> m_triangles;
   std::vector<LightRange> m_lights;
   std::vector<std::vector<WedgeRange>> m_loops;  ///< of each caster
-  double m_reach = 0;  ///< of parallel eyes: hulls end there
+  double m_reach = 0;                            ///< of parallel eyes: hulls end there
   size_t m_count = 0, m_everywhere = 0;
   rhi::Buffer m_wedgeBuffer, m_casterBuffer, m_triangleBuffer, m_lightBlocks;
 };

@@ -8,8 +8,8 @@ namespace sb {
 
 void WedgeLoops::prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights,
                          const ShadowMask& mask) {
-  const rhi::Format format = m_context.knobs.is("format", "r16f") ? rhi::Format::RGBA16Float
-                                                                  : rhi::Format::RGBA32Float;
+  const rhi::Format format =
+      m_context.knobs.is("format", "r16f") ? rhi::Format::RGBA16Float : rhi::Format::RGBA32Float;
   m_counter.emplace(m_context, CounterKind::Float, VolumeFaces::Both, format);
   m_counter->prepare(volumes, lights);
   m_loop = m_context.transients.texture(screenTarget(m_context, "penumbra loop", format),

@@ -1,8 +1,8 @@
 // Soft shadows loop by loop (thesis of the third source document, section 4.4; spec 08, PER_LOOP):
-// PenumbraWedge's combine=loop. A loop's volume and all of its wedges are drawn into a buffer of its
-// own, in which each edge says on which side of it the light's centre lies; so no pixel near a hard
-// edge is seen in two ways. Right for loops that are convex before the light. Two passes a loop, one
-// draw for its wedges.
+// PenumbraWedge's combine=loop. A loop's volume and all of its wedges are drawn into a buffer of
+// its own, in which each edge says on which side of it the light's centre lies; so no pixel near a
+// hard edge is seen in two ways. Right for loops that are convex before the light. Two passes a
+// loop, one draw for its wedges.
 #pragma once
 
 #include "techniques/volumes/soft_shadows.h"
