@@ -3,9 +3,9 @@
 #include <cassert>
 #include <map>
 
-#include "reports/html/assets.h"
-#include "reports/html/sections.h"
-#include "reports/html/text.h"
+#include "reports/html/elements/text.h"
+#include "reports/html/embed/assets.h"
+#include "reports/html/sections/sections.h"
 
 namespace report {
 namespace {

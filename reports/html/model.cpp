@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/html/text.h"
+#include "reports/html/elements/text.h"
 
 namespace report {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/html/sections.h"
-#include "reports/html/text.h"
+#include "reports/html/elements/text.h"
+#include "reports/html/sections/sections.h"
 
 namespace report {
 namespace {

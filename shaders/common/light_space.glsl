@@ -74,13 +74,14 @@ LightSample lightSample(uint light, Receiver r) {
   s.layer = view.origin.w;
   float slope = (abs(gradient.x) + abs(gradient.y)) * s.texel;
   // Rounding, in half-ulps: four of the depth itself and of the plane equation that a rasteriser
-  // interpolates over the map, and eight of the receiver's distance from the eye, which its position
-  // is known relative to (spec 17, N4: four a component).
+  // interpolates over the map, and 64 of the receiver's distance from the eye, which its position is
+  // known relative to. Spec 17, N4 has four a component; but where clipping at the picture's edge
+  // leaves a sliver of a triangle, software rasterisers interpolate over that (22 seen).
   float perLength = view.texel.w > 0.0
                         ? s.uvz.z / clip.w
                         : length(vec3(view.toClip[0].z, view.toClip[1].z, view.toClip[2].z));
   float rounding = 2.4e-7 * (s.uvz.z + abs(gradient.x) + abs(gradient.y) +
-                             2.0 * perLength * length(r.position));
+                             16.0 * perLength * length(r.position));
   // Quantisation of the map, and the 1/256-texel grid that rasterisers snap vertices to.
   s.bias = 2.0 * view.texel.y + rounding + slope * (1.0 / 64.0);
   s.gradient = vec2(0);

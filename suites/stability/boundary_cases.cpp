@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "base/worst.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {
@@ -92,7 +93,7 @@ Found farPlane(const CaseContext& context) {
     for (uint32_t y = 0; y < 64; ++y)
       for (uint32_t x = 0; x < 48; ++x)
         for (uint32_t c = 0; c < 3; ++c)
-          lost = std::max(lost, 1 - double(image[4 * (y * 64 + x) + c]));
+          lost = base::worse(lost, 1 - double(image[4 * (y * 64 + x) + c]));
     found.curve.push_back({slant, lost, 0});
   }
   return found;

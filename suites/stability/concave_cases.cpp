@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "suites/scenes/edit/mesh_tools.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 #include "suites/truth/tracer.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "suites/scenes/edit/transform.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

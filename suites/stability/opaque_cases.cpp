@@ -2,7 +2,7 @@
 // receivers, casters before the near plane, lights inside casters.
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

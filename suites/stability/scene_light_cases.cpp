@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/scene_cases.h"
 #include "techniques/scene/optics.h"
 

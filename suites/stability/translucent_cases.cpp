@@ -2,7 +2,7 @@
 // and dense ones, coplanar ones, surfaces between layers, orders that do not exist.
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {

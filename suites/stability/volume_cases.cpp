@@ -3,7 +3,8 @@
 // meshes that are not closed.
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "base/worst.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 
 namespace sb {
@@ -65,7 +66,7 @@ Found farPlaneAcross(const CaseContext& context) {
       camera.nearPlane = 2;
       camera.orthographic = parallel;
       camera.halfHeight = 2;
-      wrong = std::max(wrong, wrongShare(context, std::move(scene)));
+      wrong = base::worse(wrong, wrongShare(context, std::move(scene)));
     }
     found.curve.push_back({far, wrong, 0.001});
   }

@@ -72,7 +72,7 @@ Found overlapping(const CaseContext& context) {
     Scene scene = lamp();
     addHorizontal(scene, 0, {-0.5, 1, 0}, 0.5f, 0.5f);
     addHorizontal(scene, 0, {-0.5 + apart, 1.5, 0.125}, 0.375f, 0.5f);
-    found.curve.push_back({apart, shareErrors(context, std::move(scene)).lighter, kTolerance});
+    found.curve.push_back({apart, shareErrors(context, std::move(scene)).lighter.value(), kTolerance});
   }
   return found;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/case.h"
 #include "techniques/scene/light_area.h"
 
@@ -50,8 +50,8 @@ inline void addDisc(Scene& scene, const glm::dvec3& middle, double radius, uint3
 }
 
 struct ShareErrors {
-  double worst = 0;    ///< from the truth
-  double lighter = 0;  ///< than it
+  Compared worst;    ///< from the truth
+  Compared lighter;  ///< than it
 };
 
 /// On the floor, away from the picture's edges of surfaces.
@@ -71,9 +71,8 @@ inline ShareErrors shareErrors(const CaseContext& context, Scene scene) {
       if (!floor) continue;
       const double expected = tracer.visibility(0, *tracer.pointAt(x, y, 0), {.pattern = 1024}).x;
       const double error = found[4 * (size_t(y) * 48 + x)] - expected;
-      // What is no number is as wrong as can be.
-      e.worst = std::max(e.worst, std::isfinite(error) ? std::abs(error) : kNever);
-      e.lighter = std::max(e.lighter, std::isfinite(error) ? error : kNever);
+      e.worst.worst(std::abs(error));
+      e.lighter.worst(error);
     }
   return e;
 }
@@ -83,7 +82,7 @@ inline Found worstAlong(const CaseContext& context, std::initializer_list<double
                         const std::function<Scene(double)>& make) {
   Found found;
   for (const double value : values)
-    found.curve.push_back({value, shareErrors(context, make(value)).worst, kTolerance});
+    found.curve.push_back({value, shareErrors(context, make(value)).worst.value(), kTolerance});
   return found;
 }
 

@@ -69,7 +69,7 @@ Found layers(const CaseContext& context) {
     for (uint32_t i = 0; i < count; ++i)
       addHorizontal(scene, 0, {0.125, 0.5 + double(i) / 600, 0}, 0.5f, 0.375f);
     found.curve.push_back(
-        {double(count), shareErrors(context, std::move(scene)).lighter, kTolerance});
+        {double(count), shareErrors(context, std::move(scene)).lighter.value(), kTolerance});
   }
   return found;
 }

@@ -23,12 +23,10 @@ struct VolumeScene {
 };
 
 /// VolumeScene::reach, of receivers that the light reaches.
-double reachOf(const SceneView& view, const Light& light) {
+double receiverReach(const SceneView& view, const Light& light) {
   const bool local = light.type != LightType::Directional;
   if (local && light.range > 0) return light.range;
-  Box all;
-  for (uint32_t i = 0; i < view.scene().instances.size(); ++i)
-    all.add(instanceBox(view.placed(), i, view.camera().eye));
+  const Box all = instancesBox(view.placed(), view.camera().eye);
   if (!local) return 2 * all.radius();
   double reach = 0;
   for (int corner = 0; corner < 8; ++corner)
@@ -44,7 +42,7 @@ VolumeScene volumeScene(const SceneView& view, const VolumeChoice& choice, uint3
           l,
           local ? glm::dvec4(l.position - view.camera().eye, 1) : glm::dvec4(-l.direction, 0),
           nearRectangle(view.placed().camera(), view.aspect()),
-          reachOf(view, l)};
+          receiverReach(view, l)};
 }
 
 /// EdgeMesh::winding where it stands.

@@ -50,10 +50,8 @@ uint32_t numberInView(const SceneView& view, uint32_t light) {
 
 /// Many times as far from the eye as anything: there hulls end before parallel eyes, whose rays
 /// none of the ways of light are perpendicular to.
-double reachOf(const SceneView& view) {
-  Box all;
-  for (uint32_t i = 0; i < view.scene().instances.size(); ++i)
-    all.add(instanceBox(view.placed(), i, view.camera().eye));
+double hullReach(const SceneView& view) {
+  const Box all = instancesBox(view.placed(), view.camera().eye);
   return 32 * (glm::length(all.center()) + all.radius());
 }
 
@@ -101,7 +99,7 @@ void LightWedges::find(const ShadowVolumes& volumes, std::span<const LightVolume
   m_lights.clear();
   m_loops.clear();
   m_count = m_everywhere = 0;
-  m_reach = view.placed().camera().orthographic ? reachOf(view) : 0;
+  m_reach = view.placed().camera().orthographic ? hullReach(view) : 0;
   const uint64_t stride = blockStride(m_context.device);
   std::vector<std::byte> blocks(lights.size() * stride);
   for (size_t i = 0; i < lights.size(); ++i) {

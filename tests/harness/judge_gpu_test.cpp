@@ -3,7 +3,7 @@
 #include "suites/harness/checks/certify.h"
 #include "suites/harness/judge.h"
 #include "suites/metrics/error.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

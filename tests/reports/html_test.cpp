@@ -9,7 +9,7 @@
 #include <fstream>
 #include <random>
 
-#include "reports/html/text.h"
+#include "reports/html/elements/text.h"
 #include "reports/picture.h"
 #include "tests/reports/sample_run.h"
 

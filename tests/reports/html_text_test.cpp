@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "reports/html/text.h"
+#include "reports/html/elements/text.h"
 
 namespace report {
 namespace {

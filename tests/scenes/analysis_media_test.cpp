@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/scenes/analysis/analysis.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "techniques/scene/placed_scene.h"
 
 namespace sb::test {

@@ -6,8 +6,8 @@
 
 #include "suites/scenes/edit/transform.h"
 #include "suites/scenes/edit/world_path.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "techniques/plan/error.h"
 #include "techniques/scene/placed_scene.h"
 

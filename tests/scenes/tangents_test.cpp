@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/scenes/edit/mesh_tools.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 
 namespace sb::test {
 namespace {

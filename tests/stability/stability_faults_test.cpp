@@ -4,7 +4,7 @@
 #include "backends/null/null_backend.h"
 #include "backends/rhi/memory_limit.h"
 #include "suites/harness/devices.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/stability/stability.h"
 #include "techniques/render/registry.h"
 

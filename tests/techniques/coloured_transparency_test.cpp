@@ -4,6 +4,7 @@
 // truth's (spec 16).
 #include <algorithm>
 
+#include "base/worst.h"
 #include "suites/metrics/error.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/transparency_scenes.h"
@@ -127,8 +128,8 @@ size_t wrongPixels(const report::Picture& picture, const Truth& truth, float tol
     if (compared) ++*compared;
     float worst = 0;
     for (size_t c = 0; c < 3; ++c)
-      worst = std::max(worst, std::abs(picture.rgba[4 * p + c] - truth.image[4 * p + c]));
-    wrong += worst > tolerance;
+      worst = base::worse(worst, std::abs(picture.rgba[4 * p + c] - truth.image[4 * p + c]));
+    wrong += !(worst <= tolerance);
   }
   return wrong;
 }

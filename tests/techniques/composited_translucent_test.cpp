@@ -1,6 +1,7 @@
 // Composited translucent shadows on the drivers: every partition against the truth and against each
 // other, spec 05's worked example and invariants, conflicts, and the source's two counter-examples
 // of peeling.
+#include "base/worst.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/cssm2_helpers.h"
@@ -36,7 +37,7 @@ Agreement agreement(Cell& cell) {
       ++a.compared;
       a.inner += layer > 0 && std::min({t[0], t[1], t[2]}) < 1;
       for (size_t c = 0; c < 3; ++c)
-        a.worst = std::max(a.worst, std::abs(double(image[4 * p + c]) - double(t[c])));
+        a.worst = base::worse(a.worst, std::abs(double(image[4 * p + c]) - double(t[c])));
     }
   }
   return a;

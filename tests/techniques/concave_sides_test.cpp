@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 
 using namespace sb;
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "shaders/common/shared_hash.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 namespace sb::test {

@@ -2,6 +2,7 @@
 // and t in {0, 1}, formats (spec 04, invariants 3-8).
 #include <algorithm>
 
+#include "base/worst.h"
 #include "suites/scenes/edit/transform.h"
 #include "tests/techniques/cssm2_helpers.h"
 
@@ -206,7 +207,7 @@ GPU_TEST(Cssm2Formats, ChannelsWithinAStepOfTheFullOnes) {
     const auto m = cell.map("colours");
     double worst = 0;
     for (size_t i = 0; i < m.size(); ++i)
-      worst = std::max(worst, double(std::abs(m[i] - reference[i])));
+      worst = base::worse(worst, double(std::abs(m[i] - reference[i])));
     EXPECT_LE(worst, step) << format;
     EXPECT_GT(worst, 0) << format;
   }

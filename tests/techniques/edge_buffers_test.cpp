@@ -2,8 +2,8 @@
 // appends is drawn without the CPU knowing how much that is.
 #include "techniques/volumes/edge_buffers.h"
 
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/rhi/resource_helpers.h"
 #include "tests/techniques/gpu_cell.h"
 

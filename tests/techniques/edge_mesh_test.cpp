@@ -6,8 +6,8 @@
 #include <map>
 #include <random>
 
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "techniques/draw/scene/storage_window.h"
 
 namespace sb::test {

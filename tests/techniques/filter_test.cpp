@@ -3,8 +3,9 @@
 // maps and lookups hold them reversed (techniques/draw/fit/light_views.h).
 #include <cmath>
 
+#include "base/worst.h"
 #include "shaders/common/shared_slots.h"
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "tests/rhi/resource_helpers.h"
 
 using namespace sb;
@@ -147,7 +148,7 @@ GPU_TEST(ShadowFilter, WideHardwareFilterIsTheMeanOfItsTaps) {
               if (outside || depth <= texels[size_t(ty * kSize + tx)]) lit += w * share;
             }
           }
-        worst = std::max(worst, std::abs(answers[i][0] - lit / total));
+        worst = base::worse(worst, std::abs(answers[i][0] - lit / total));
       }
       EXPECT_LT(worst, 1e-5) << kernel << (tent ? " tent" : " box");
     }
@@ -188,7 +189,7 @@ GPU_TEST(ShadowFilter, HardwareTapEqualsFourComparisonsWeightedBilinearly) {
         const double wx = c & 1 ? x - x0 : 1 - (x - x0), wy = c >> 1 ? y - y0 : 1 - (y - y0);
         expected += lit * wx * wy;
       }
-      worst = std::max(worst, std::abs(answers[i][0] - expected));
+      worst = base::worse(worst, std::abs(answers[i][0] - expected));
     }
     RecordProperty(fetches ? "worst_fetched" : "worst_tap", std::to_string(worst));
     EXPECT_LE(worst, 0x1p-8);

@@ -6,7 +6,7 @@
 
 #include "suites/harness/checks/verify.h"
 #include "suites/scenes/edit/transform.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

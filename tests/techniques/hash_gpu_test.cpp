@@ -1,6 +1,6 @@
 // The random numbers of shaders and of the CPU are the same bits.
 #include "shaders/common/shared_hash.h"
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "tests/rhi/resource_helpers.h"
 
 using namespace sb;

@@ -1,7 +1,7 @@
 // Decision D3 and the plan's proof on the drivers: without translucent casters the stochastic maps
 // are ShadowMap at the same kernel with manual comparison, bit by bit and pass by pass; effects
 // that a scene does not call for change nothing when they are forced (index 00, skip planner).
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

@@ -1,8 +1,9 @@
 // The third question: which lights may reach a point. A loop that only tests know takes the lights
 // from a list that it makes in a pass of its own, the last one first.
 #include "backends/shader/compile.h"
+#include "base/worst.h"
 #include "shaders/common/shared_slots.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;
@@ -71,7 +72,7 @@ std::vector<float> picture(rhi::Device& device, const Scene& scene, const Lights
 
 float largest(const std::vector<float>& a, const std::vector<float>& b) {
   float most = 0;
-  for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  for (size_t i = 0; i < a.size(); ++i) most = base::worse(most, std::abs(a[i] - b[i]));
   return most;
 }
 

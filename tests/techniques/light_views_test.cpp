@@ -8,7 +8,7 @@
 
 #include "suites/scenes/analysis/analysis.h"
 #include "suites/scenes/edit/transform.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 
 namespace sb::test {
 namespace {

@@ -1,6 +1,6 @@
 // Shaders and the truth mean the same medium: lattice bit for bit, density and phase function to
 // what floats can tell.
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "techniques/scene/medium_data.h"
 #include "tests/rhi/resource_helpers.h"
 

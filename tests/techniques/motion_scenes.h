@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "suites/scenes/edit/camera_path.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "techniques/scene/light_area.h"
 #include "tests/techniques/cell.h"
 

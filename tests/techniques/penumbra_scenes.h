@@ -7,7 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "base/worst.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/tracer.h"
 #include "techniques/scene/light_area.h"
 #include "tests/techniques/gpu_cell.h"
@@ -162,10 +163,10 @@ inline PenumbraErrors penumbraErrors(
       const double expected = 1 - std::min(hidden, 1.0), error = found[i] - expected;
       ++e.compared;
       e.partly += expected > 0.02 && expected < 0.98;
-      e.wrong += std::abs(error) > 0.25;
+      e.wrong += !(std::abs(error) <= 0.25);
       e.squares += error * error;
-      e.lighter = std::max(e.lighter, error);
-      if (!(std::abs(error) > e.worst)) continue;
+      e.lighter = base::worse(e.lighter, error);
+      if (std::isnan(e.worst) || std::abs(error) <= e.worst) continue;
       e.worst = std::abs(error);
       e.where = std::to_string(x) + ", " + std::to_string(y) + ": " + std::to_string(found[i]) +
                 ", not " + std::to_string(expected);

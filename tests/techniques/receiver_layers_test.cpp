@@ -3,7 +3,8 @@
 // and direct light that a technique replaces.
 #include <set>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "base/worst.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/gpu_cell.h"
 #include "tests/techniques/layer_probe.h"
@@ -88,7 +89,7 @@ double worstPosition(rhi::Device& device, const Scene& scene, rhi::Extent2D size
         const double step = camera.orthographic ? camera.farPlane * 0x1p-24 : distance * 0x1p-24;
         const double allowed = step + 4 * 0x1p-24 * glm::length(point->position) + snapped;
         for (int c = 0; c < 3; ++c)
-          worst = std::max(worst, std::abs(double(found[c]) - point->position[c]) / allowed);
+          worst = base::worse(worst, std::abs(double(found[c]) - point->position[c]) / allowed);
       }
   return worst;
 }
@@ -137,14 +138,14 @@ GPU_TEST(ReceiverLayers, EachLayerOfThePictureIsAskedForByItself) {
     float most = 0;
     for (size_t i = 0; i < one.size(); ++i) {
       sum[i] += one[i];
-      if (i % 4 != 3) most = std::max(most, one[i]);
+      if (i % 4 != 3) most = base::worse(most, one[i]);
     }
     // The third layer does not exist.
     EXPECT_EQ(most > 0.02f, layer < 3) << layer;
   }
   double worst = 0;
   for (size_t i = 0; i < lit.size(); ++i)
-    if (i % 4 != 3) worst = std::max(worst, std::abs(double(lit[i] - sum[i])));
+    if (i % 4 != 3) worst = base::worse(worst, std::abs(double(lit[i] - sum[i])));
   EXPECT_LE(worst, 4 * 0x1p-10) << "light of all layers together is that without shadows";
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "backends/null/null_backend.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/cell.h"
 
 namespace sb::test {

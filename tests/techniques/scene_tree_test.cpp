@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "techniques/scene/tree/box_hierarchy.h"
 #include "techniques/scene/tree/quad_tree.h"
 

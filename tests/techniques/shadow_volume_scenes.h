@@ -1,8 +1,8 @@
 // What the tests of shadow volumes draw.
 #pragma once
 
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/scenes.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/techniques/shadow_volume_truth.h"
 
 namespace sb::test {

@@ -1,6 +1,6 @@
 // Sorted transparency: the worked example of spec 15 (A), the two ways of sorting, permutations.
 #include "suites/scenes/edit/transform.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 using namespace sb;

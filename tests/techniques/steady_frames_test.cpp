@@ -2,7 +2,7 @@
 // of the compiler, and memory would grow with each frame (backends/vulkan/pipeline/vk_lavapipe_blocks.h).
 #include <fstream>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "techniques/render/registry.h"
 #include "tests/techniques/gpu_cell.h"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/worst.h"
+
 namespace sb::test {
 
 Material shining(glm::vec3 color, float alpha) {
@@ -74,7 +76,7 @@ std::vector<float> rendered(rhi::Device& device, const Scene& scene, const CellO
 float largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
   if (a.size() != b.size()) return std::numeric_limits<float>::infinity();
   float largest = 0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (size_t i = 0; i < a.size(); ++i) largest = base::worse(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 

@@ -2,7 +2,7 @@
 // tangle of panes that cross each other.
 #pragma once
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/techniques/gpu_cell.h"
 
 namespace sb::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "suites/scenes/analysis/free_views.h"
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 
 namespace sb::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "techniques/scene/camera.h"
 #include "techniques/volumes/light_rectangle.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/tracer.h"
 #include "techniques/scene/light_area.h"
 

@@ -2,7 +2,7 @@
 // clipping polygons exactly (spec 16, area integration and validation 1, 2; spec 08's closed forms).
 #include <gtest/gtest.h>
 
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "tests/truth/area_scenes.h"
 
 namespace sb::test {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

@@ -4,7 +4,8 @@
 
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "base/worst.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/lights/light_visibility.h"
 #include "tests/truth/traced.h"
 
@@ -97,7 +98,7 @@ TEST(TruthIntegrated, PicturesOfSmallLightsAreThoseOfTheirCentres) {
     EXPECT_EQ(all.visibility, centre.visibility);
     float worst = 0;
     for (size_t k = 0; k < all.image.size(); ++k)
-      worst = std::max(worst, std::abs(all.image[k] - centre.image[k]));
+      worst = base::worse(worst, std::abs(all.image[k] - centre.image[k]));
     return worst;
   };
   EXPECT_LT(worst(0.01), 5e-4f);

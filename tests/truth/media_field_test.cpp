@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/truth/media/media.h"
 #include "tests/truth/traced.h"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "suites/harness/scene_hash.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "suites/truth/rays/ray_packet.h"
 
 namespace sb::test {

@@ -3,6 +3,7 @@
 // those of others.
 #include <filesystem>
 
+#include "base/worst.h"
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/truth/tracer.h"
 #include "tests/techniques/gpu_cell.h"
@@ -34,9 +35,9 @@ Agreement agreement(CellDevice& device, const Scene& scene, rhi::Extent2D size, 
     a.covered += truth->surfaces[1][p] != 0;
     float worst = 0;
     for (size_t c = 0; c < 3; ++c)
-      worst = std::max(worst, std::abs(picture.rgba[4 * p + c] - truth->image[4 * p + c]));
-    a.differ += worst > tolerance;
-    a.worst = std::max(a.worst, worst);
+      worst = base::worse(worst, std::abs(picture.rgba[4 * p + c] - truth->image[4 * p + c]));
+    a.differ += !(worst <= tolerance);
+    a.worst = base::worse(a.worst, worst);
   }
   return a;
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "suites/scenes/procedural/shapes.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "suites/scenes/edit/transform.h"
+#include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"
-#include "suites/scenes/procedural/shapes.h"
 #include "tests/truth/traced.h"
 
 namespace sb::test {

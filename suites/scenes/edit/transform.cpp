@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "suites/scenes/procedural/random.h"
+#include "suites/scenes/procedural/parts/random.h"
 #include "techniques/scene/optics.h"
 
 namespace sb {

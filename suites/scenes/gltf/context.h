@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "suites/scenes/gltf/animation.h"
+#include "suites/scenes/gltf/nodes/animation.h"
 #include "suites/scenes/gltf/source/source.h"
 #include "techniques/scene/scene.h"
 

@@ -13,7 +13,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "suites/scenes/gltf/roots.h"
+#include "suites/scenes/gltf/nodes/roots.h"
 #include "techniques/plan/error.h"
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/medium_data.h"

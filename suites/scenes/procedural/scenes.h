@@ -43,6 +43,11 @@ Light sunLight(glm::dvec3 direction, double angularRadius);
 Material matteMaterial(std::string name, glm::vec3 colour);
 /// alphaMode BLEND, double-sided, matte.
 Material paneMaterial(std::string name, glm::vec3 colour, float alpha);
+/// The camera of the picture, named "view"; `fovY` in radians, the planes in world units.
+void addView(Scene& scene, glm::dvec3 eye, glm::dvec3 target, double fovY, double nearPlane,
+             double farPlane);
+/// A parameter that counts.
+SceneParam countParam(std::string name, double fallback, double low, double high, std::string help);
 /// The parameter that every scene has: how far its lights go round.
 SceneParam circlingParam();
 /// The parameter every scene with a directional light has.

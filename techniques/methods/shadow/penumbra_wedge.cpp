@@ -20,81 +20,27 @@
 // are those of the light's centre; shares are of the disc, whatever the receiver's horizon.
 #include "techniques/render/registry.h"
 #include "techniques/scene/light_area.h"
-#include "techniques/volumes/hard_shadows.h"
 #include "techniques/volumes/soft_shadows.h"
+#include "techniques/volumes/volume_technique.h"
 
 namespace sb {
 namespace {
 
-using Volumes = std::vector<const LightVolumes*>;
-
-class PenumbraWedge final : public ShadowTechnique {
+class PenumbraWedge final : public VolumeTechnique {
  public:
-  void prepare(const Context& context) override {
-    m_context.emplace(context);
-    m_wedges.emplace(context);
-    uint32_t mostLights = 0, mostInView = 0;
-    std::vector<LightVolumes> hard, soft;
-    const auto visit = [&](const std::vector<LightVolumes>& lights) {
-      mostLights = std::max(mostLights, uint32_t(lights.size()));
-      mostInView = std::max(mostInView, uint32_t(maskSlots(context.view, lights).size()));
-      const Volumes softNow = softOf(lights);
-      m_wedges->reserve(softNow);
-      for (const LightVolumes* light : softNow) soft.push_back(*light);
-      // Another eye may see a penumbra as a hard edge.
-      for (const LightVolumes& light : lights)
-        if (context.view.isFree() || !isSoft(light)) hard.push_back(light);
-    };
-    const CullingChoice culling{.extents = context.plan.runs(Effect::AreaLights)};
-    m_volumes.emplace(context, VolumeBuilder::Cpu, VolumeChoice{.addsUp = true, .byLoops = context.knobs.is("combine", "loop")},
-                      culling, visit);
-    if (mostLights == 0) return;
-    m_mask.emplace(context, soft.empty() ? MaskKind::Binary : MaskKind::Share, mostLights,
-                   mostInView);
-    m_hard.emplace(context, CounterKind::Stencil, VolumeFaces::Both);
-    m_hard->prepare(*m_volumes, hard, *m_mask);
-    if (!soft.empty()) {
-      m_wedges->createBuffers();
-      m_soft = SoftShadows::make(context, *m_wedges);
-      m_soft->prepare(*m_volumes, soft, *m_mask);
-    }
-    if (context.view.steps() > 1) return;  // each frame writes its own
-    update([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-      context.device.upload(buffer, 0, bytes);
-    });
-  }
-
-  void moved(Frame& frame) override {
-    m_volumes->moved(frame);
-    if (!m_mask) return;
-    update([&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-      frame.commands().write(buffer, 0, bytes);
-    });
-  }
-
-  void record(Frame& frame) override { m_volumes->record(frame); }
-
   void recordReceivers(Frame& frame, const ReceiverLayer& layer) override {
-    const std::vector<LightVolumes>& lights = m_volumes->lights();
+    const std::vector<LightVolumes>& lights = volumes().lights();
     size_t soft = 0;
     for (uint32_t slot = 0; slot < lights.size(); ++slot) {
       if (!isSoft(lights[slot]))
-        m_hard->record(frame, layer, *m_volumes, std::span(lights).subspan(slot, 1), *m_mask, slot);
+        m_hard->record(frame, layer, volumes(), std::span(lights).subspan(slot, 1), mask(), slot);
       else
-        m_soft->record({frame, layer, *m_volumes, lights[slot], soft++, *m_mask, slot});
+        m_soft->record({frame, layer, volumes(), lights[slot], soft++, mask(), slot});
     }
   }
 
-  VisibilityInputs inputs() const override {
-    // Translucent casters alone throw no shadow here.
-    if (!m_mask)
-      return {
-          .bindings = {}, .reads = {}, .constants = {}, .folder = baselineTechnique().info.folder};
-    return m_mask->inputs();
-  }
-
   std::vector<std::pair<std::string, uint64_t>> counts() const override {
-    auto counts = m_volumes->counts();
+    auto counts = VolumeTechnique::counts();
     counts.emplace_back("penumbra wedges", m_wedges->count());
     // Not shown to hold their penumbra.
     counts.emplace_back("penumbra wedges drawn everywhere", m_wedges->everywhere());
@@ -102,28 +48,53 @@ class PenumbraWedge final : public ShadowTechnique {
   }
 
  private:
+  Choices choose(const Context& context) override {
+    m_wedges.emplace(context);
+    return {.volumes = {.addsUp = true, .byLoops = context.knobs.is("combine", "loop")},
+            .culling = {.extents = context.plan.runs(Effect::AreaLights)}};
+  }
+
+  void visit(const std::vector<LightVolumes>& lights) override {
+    const std::vector<const LightVolumes*> softNow = softOf(lights);
+    m_wedges->reserve(softNow);
+    for (const LightVolumes* light : softNow) m_softOnes.push_back(*light);
+    // Another eye may see a penumbra as a hard edge.
+    for (const LightVolumes& light : lights)
+      if (context().view.isFree() || !isSoft(light)) m_hardOnes.push_back(light);
+  }
+
+  MaskKind maskKind() const override {
+    return m_softOnes.empty() ? MaskKind::Binary : MaskKind::Share;
+  }
+
+  void prepareShadows() override {
+    m_hard.emplace(context(), CounterKind::Stencil, VolumeFaces::Both);
+    m_hard->prepare(volumes(), m_hardOnes, mask());
+    if (m_softOnes.empty()) return;
+    m_wedges->createBuffers();
+    m_soft = SoftShadows::make(context(), *m_wedges);
+    m_soft->prepare(volumes(), m_softOnes, mask());
+  }
+
+  void writeStep(const ShadowMask::Write& write) override {
+    if (m_soft) m_wedges->find(volumes(), softOf(volumes().lights()), write);
+  }
+
   /// Its penumbrae may be a pixel wide.
   bool isSoft(const LightVolumes& light) const {
-    const SceneView& view = m_context->view;
-    return m_context->plan.runs(Effect::AreaLights) &&
+    const SceneView& view = context().view;
+    return context().plan.runs(Effect::AreaLights) &&
            isAreaLight(view.placed().light(light.light)) &&
            view.effects().lights[light.light].penumbra * view.size().height >= 1;
   }
-  Volumes softOf(const std::vector<LightVolumes>& lights) const {
-    Volumes soft;
+  std::vector<const LightVolumes*> softOf(const std::vector<LightVolumes>& lights) const {
+    std::vector<const LightVolumes*> soft;
     for (const LightVolumes& light : lights)
       if (isSoft(light)) soft.push_back(&light);
     return soft;
   }
 
-  void update(const ShadowMask::Write& write) {
-    m_mask->assign(maskSlots(m_context->view, m_volumes->lights()), write);
-    if (m_soft) m_wedges->find(*m_volumes, softOf(m_volumes->lights()), write);
-  }
-
-  std::optional<Context> m_context;
-  std::optional<ShadowVolumes> m_volumes;
-  std::optional<ShadowMask> m_mask;
+  std::vector<LightVolumes> m_hardOnes, m_softOnes;  ///< of all steps
   std::optional<HardShadows> m_hard;
   std::optional<LightWedges> m_wedges;
   std::unique_ptr<SoftShadows> m_soft;
