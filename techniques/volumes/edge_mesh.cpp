@@ -32,16 +32,16 @@ void addEdge(std::span<const EdgeSide> sides, EdgeMesh& out) {
 }
 
 /// EdgeMesh::winding of a closed mesh: the signs of what its connected parts enclose.
-int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
+int windingOf(const Mesh& mesh, const EdgeMesh& edges) {
   std::vector<uint32_t> part(mesh.triangleCount());
   std::iota(part.begin(), part.end(), 0u);
   const auto root = [&](uint32_t t) {
     while (part[t] != t) t = part[t] = part[part[t]];
     return t;
   };
-  for (const gpu::EdgeData& e : edges) part[root(e.ends.z >> 1)] = root(e.ends.w >> 1);
+  for (const gpu::EdgeData& e : edges.edges) part[root(e.ends.z >> 1)] = root(e.ends.w >> 1);
   std::vector<double> volume(part.size(), 0.0);
-  for (uint32_t t = 0; t < part.size(); ++t) {
+  for (const uint32_t t : edges.triangles) {
     // Relative to a point of the part, so that parts far from zero lose nothing.
     const glm::dvec3 origin = cornerOf(mesh, root(t), 0);
     volume[root(t)] +=
@@ -49,8 +49,8 @@ int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
                  glm::cross(cornerOf(mesh, t, 1) - origin, cornerOf(mesh, t, 2) - origin));
   }
   bool outward = true, inward = true;
-  for (uint32_t t = 0; t < part.size(); ++t) {
-    if (root(t) != t || !hasArea(mesh, t)) continue;
+  for (const uint32_t t : edges.triangles) {
+    if (root(t) != t) continue;
     outward &= volume[t] > 0;
     inward &= volume[t] < 0;
   }
@@ -92,7 +92,7 @@ EdgeMesh edgeMesh(const Mesh& mesh, Doubles doubles) {
       ++end;
     addEdge(std::span(sides).subspan(first, end - first), out);
   }
-  if (out.closed) out.winding = windingOf(mesh, out.edges);
+  if (out.closed) out.winding = windingOf(mesh, out);
   return out;
 }
 

@@ -86,11 +86,16 @@ GPU_TEST(PenumbraCombine, HalvesAgreeWithCountsWhereSumsDoNot) {
   EXPECT_GT(errors("float").wrong, 5u) << "they agree: nothing is tested";
   for (const char* how : {"split", "loop"}) {
     const PenumbraErrors e = errors(how);
-    EXPECT_LE(e.worst, 1e-3) << how << ", " << e.where;
+    // A half goes on for 1/256 of a pixel where the share has begun to fall again.
+    EXPECT_LE(e.worst, 2e-3) << how << ", " << e.where;
   }
 }
 
 GPU_TEST(PenumbraCombine, BytesHoldNoSharesBelowZero) {
-  for (const char* how : {"loop", "split"})
-    EXPECT_ANY_THROW(Cell(cellDevice(device()), star().scene, combine(how, {{"format", "rgba8"}})));
+  const TechniqueSet set{&shadowTechnique("PenumbraWedge").info,
+                         &transparencyTechnique("Sorted").info, &lightTechnique("AllLights").info};
+  for (const char* how : {"loop", "split", "shader"}) {
+    const Knobs knobs = Knobs::resolve(knobsOf(set), {{"combine", how}, {"format", "rgba8"}});
+    EXPECT_EQ(unsupported(device(), set, knobs, {}).has_value(), how != std::string("shader"));
+  }
 }

@@ -73,13 +73,13 @@ FloorErrors floorErrors(Cell& cell) {
 /// The same light and casters, from an eye far from the boxes of all of them and from one in the
 /// box of one: errors on the floor are as small.
 void expectAsRightAs(rhi::Device& device, Scene scene, const glm::dvec3& within,
-                     const glm::dvec3& target, const std::string& what) {
+                     const glm::dvec3& target, const std::string& what, size_t leastPartly = 15) {
   scene.cameras[0] = lookAt(within, target, 1.25);
   for (const char* combine : {"shader", "float", "exact"}) {
     Cell cell(cellDevice(device), scene, combined(combine));
     const FloorErrors e = floorErrors(cell);
     EXPECT_LE(e.rmse(), 0.02) << what << " " << combine << ", worst " << e.worst;
-    EXPECT_GE(e.partly, 15u) << what;
+    EXPECT_GE(e.partly, leastPartly) << what;
     EXPECT_GE(e.pixels, 60u) << what;
   }
 }
@@ -116,10 +116,10 @@ GPU_TEST(PenumbraSides, AnEyeInTheBoxOfAClosedCasterSeesItsPenumbraOnce) {
 }
 
 GPU_TEST(PenumbraSides, ALightInTheBoxOfAClosedCasterButNotInItsBody) {
-  Scene scene = penumbraFloor(ball(0.1, {0, 1.5, 0})).scene;
+  Scene scene = penumbraFloor(ball(0.25, {0, 1.5, 0})).scene;
   place(scene, add(scene, archMesh()), glm::dmat4(glm::dmat3(2)));
   Scene solid = scene;
-  expectAsRightAs(device(), scene, {3, 4, 3}, {2, 0, 0}, "under an arch");
+  expectAsRightAs(device(), scene, {3, 4, 3}, {2, 0, 0}, "under an arch", 5);
   // Within its leg: nothing outside is lit.
   solid.lights[0].position = {1.75, 1.5, 0};
   solid.cameras[0] = lookAt({3, 4, 3}, {2, 0, 0}, 0.75);
