@@ -184,6 +184,13 @@ SHARED SeenEdge seenEdge(LightSight sight, vec3 a, vec3 b) {
   return edge;
 }
 
+// Any of it lies before the light, however little it hides.
+SHARED bool crossesLight(LightSight sight, SeenEdge edge) {
+  if (!edge.any || sight.seen == SEEN_SQUARE) return edge.any;
+  float h = sqrt(1.0f - edge.d0 * edge.d0);
+  return dot(edge.start, edge.along) < h && dot(edge.end, edge.along) > -h;
+}
+
 // G of spec 08: of what lies beyond an edge (seen points, directed) in the angle that it takes up
 // around the light's centre, the share of the light; negative where the centre lies to its right.
 SHARED float edgeShare(LightSight sight, vec3 a, vec3 b) {

@@ -1,7 +1,6 @@
 // The wedges and casters of the light at hand, and how a receiver sees that light.
 #include "common/scene.glsl"
 #include "common/shared_coverage.h"
-#include "common/shared_volume.h"
 #include "common/shared_wedge.h"
 #include "common/position.glsl"
 
@@ -61,10 +60,16 @@ float wedgeShare(WedgeReceiver r, WedgeData w) {
                                  seenPoint(r.sight, w.end.xyz - r.position));
 }
 
-// So near the plane through the edge and the light's centre that the count of volumes, whose
-// vertices snap to 1/256 of a pixel, may see the receiver on its other side.
+// So near the light's centre as the edge hides it that the count of volumes, whose vertices snap to
+// 1/256 of a pixel, may see the receiver on the other side of the edge. Beyond the edge's ends its
+// share is the same on both sides.
 bool isAtHardEdge(WedgeReceiver r, WedgeData w) {
   vec3 a = w.start.xyz - r.position, b = w.end.xyz - r.position;
-  vec3 n = r.directional ? cross(b - a, r.toLight) : cross(a - r.toLight, b - r.toLight);
-  return abs(dot(n, a)) < r.pixel * length(n);
+  // Ways of light through both ends; within their plane, across each toward the other.
+  vec3 throughA = r.directional ? -r.toLight : a - r.toLight;
+  vec3 throughB = r.directional ? -r.toLight : b - r.toLight;
+  vec3 n = r.directional ? cross(b - a, r.toLight) : cross(throughA, throughB);
+  vec3 fromA = cross(n, throughA), fromB = cross(throughB, n);
+  return abs(dot(n, a)) < r.pixel * length(n) && dot(fromA, a) < r.pixel * length(fromA) &&
+         dot(fromB, b) < r.pixel * length(fromB);
 }

@@ -8,8 +8,8 @@ const std::vector<StabilityCase>& stabilityCases() {
   static const std::vector<StabilityCase> cases = [] {
     std::vector<StabilityCase> all;
     for (const auto& part :
-         {genericCases(), opaqueCases(), concaveCases(), translucentCases(),
-          boundaryCases(), volumeCases(), wedgeCases(), transparencyCases(), tortureCases()})
+         {genericCases(), opaqueCases(), concaveCases(), translucentCases(), boundaryCases(),
+          volumeCases(), wedgeCases(), wedgeSweepCases(), transparencyCases(), tortureCases()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -58,6 +58,7 @@ std::vector<StabilityCase> translucentCases();   ///< rows of specs 02-05: layer
 std::vector<StabilityCase> boundaryCases();      ///< rows of specs 01-05: ties, far planes, p of 0 and 1
 std::vector<StabilityCase> volumeCases();        ///< rows of spec 07
 std::vector<StabilityCase> wedgeCases();         ///< rows of spec 08
+std::vector<StabilityCase> wedgeSweepCases();    ///< its curves; H5, H6
 std::vector<StabilityCase> concaveCases();      ///< spec 01: surfaces that rise before themselves
 std::vector<StabilityCase> transparencyCases();  ///< rows of spec 15
 std::vector<StabilityCase> tortureCases();       ///< H2, H3, H4, H7, H8

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -84,7 +85,7 @@ class Compared {
   void worst(double excess) {
     m_any = true;
     // Not a number stays: std::max would lose it.
-    if (!(excess <= m_value)) m_value = excess;
+    if (!std::isnan(m_value) && !(excess <= m_value)) m_value = excess;
   }
   void count(bool wrong) {
     m_any = true;

@@ -1,88 +1,10 @@
 // Lights with an extent driven to where penumbra wedges break (spec 17, rows of 08): receivers at
 // edges, edges that point at the light, reach into it or lie on its axis, eyes within penumbrae,
 // many edges at once, casters that overlap.
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "base/worst.h"
-#include "suites/scenes/procedural/parts/shapes.h"
-#include "suites/stability/case.h"
-#include "techniques/scene/light_area.h"
+#include "suites/stability/wedge_scenes.h"
 
 namespace sb {
 namespace {
-
-/// What 1024 rays a light leave, and a share's last bits.
-constexpr double kTolerance = 0.02;
-
-std::string withoutAreaLights(const CaseContext& context) {
-  return context.represents(Effect::AreaLights) ? "" : "its lights have no extent";
-}
-
-/// A floor under a ball of light.
-Scene lamp(double radius = 0.5, const glm::dvec3& eye = {1.5, 4, 5}) {
-  Scene scene = floorScene(false);
-  scene.cameras[0] = lookAt(eye, {0, 0, 0}, 0.75);
-  Light light = pointLight({0, 4, 0}, 20);
-  makeSphere(light, radius);
-  addLight(scene, light);
-  return scene;
-}
-
-/// With so many corners at this distance of its middle.
-void addDisc(Scene& scene, const glm::dvec3& middle, double radius, uint32_t corners) {
-  Mesh mesh;
-  mesh.material = 0;
-  mesh.positions.emplace_back(middle);
-  for (uint32_t i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / corners;
-    mesh.positions.emplace_back(middle + radius * glm::dvec3(std::cos(angle), 0, -std::sin(angle)));
-    for (const uint32_t corner : {0u, i + 1, (i + 1) % corners + 1}) mesh.indices.push_back(corner);
-  }
-  mesh.normals.assign(mesh.positions.size(), {0, 1, 0});
-  place(scene, add(scene, mesh));
-}
-
-struct ShareErrors {
-  double worst = 0;    ///< from the truth
-  double lighter = 0;  ///< than it
-};
-
-/// On the floor, away from the picture's edges of surfaces; no numbers where nothing was compared.
-ShareErrors shareErrors(const CaseContext& context, Scene scene) {
-  Probe probe(context, std::move(scene), {.size = {48, 36}});
-  const Tracer tracer(probe.scene(), 48, 36);
-  const VisibilityImage& found = probe.visibility(0)[0];
-  ShareErrors e;
-  bool compared = false;
-  const uint32_t step = context.quick ? 5 : 2;
-  for (uint32_t y = 1; y < 35; y += step)
-    for (uint32_t x = 1; x < 47; x += step) {
-      bool floor = true;
-      for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        const auto near = tracer.pointAt(uint32_t(int(x) + dx), uint32_t(int(y) + dy), 0);
-        floor &= near && near->instance == 0;
-      }
-      if (!floor) continue;
-      const double expected = tracer.visibility(0, *tracer.pointAt(x, y, 0), {.pattern = 1024}).x;
-      const double error = found[4 * (size_t(y) * 48 + x)] - expected;
-      e.worst = base::worse(e.worst, std::abs(error));
-      e.lighter = base::worse(e.lighter, error);
-      compared = true;
-    }
-  if (!compared) e.worst = e.lighter = std::numeric_limits<double>::quiet_NaN();
-  return e;
-}
-
-/// One curve of the largest error.
-Found worstAlong(const CaseContext& context, std::initializer_list<double> values,
-                 const std::function<Scene(double)>& make) {
-  Found found;
-  for (const double value : values)
-    found.curve.push_back({value, shareErrors(context, make(value)).worst, kTolerance});
-  return found;
-}
 
 Found contact(const CaseContext& context) {
   return worstAlong(context, {0, 1e-6, 1e-4, 1e-2}, [](double gap) {
@@ -150,7 +72,7 @@ Found overlapping(const CaseContext& context) {
     Scene scene = lamp();
     addHorizontal(scene, 0, {-0.5, 1, 0}, 0.5f, 0.5f);
     addHorizontal(scene, 0, {-0.5 + apart, 1.5, 0.125}, 0.375f, 0.5f);
-    found.curve.push_back({apart, shareErrors(context, std::move(scene)).lighter, kTolerance});
+    found.curve.push_back({apart, shareErrors(context, std::move(scene)).lighter.value(), kTolerance});
   }
   return found;
 }
@@ -172,35 +94,25 @@ Found reachingIn(const CaseContext& context) {
 }  // namespace
 
 std::vector<StabilityCase> wedgeCases() {
-  const std::string property = "visibility is the truth's (largest difference)";
-  const std::string reason = "1024 rays a light";
-  const auto made = [&](std::string id, std::string title, std::string parameter,
-                        Found (*run)(const CaseContext&)) {
-    return StabilityCase{.id = std::move(id),
-                         .title = std::move(title),
-                         .property = property,
-                         .reason = reason,
-                         .parameter = std::move(parameter),
-                         .leavesOut = withoutAreaLights,
-                         .run = run};
-  };
   std::vector<StabilityCase> cases = {
-      made("penumbra contact", "A box that touches the floor, or nearly", "gap, world units",
-           contact),
-      made("edge at light", "Edges that point at a light's centre", "aside, world units",
-           edgeAtLight),
-      made("edge through centre", "A light's centre on an edge or a corner", "aside, world units",
-           edgeThroughCentre),
-      made("eye in penumbra", "An eye before, in and behind a penumbra", "height of the eye",
-           eyeInPenumbra),
-      made("many edges", "Many edges before a light at once", "edges", manyEdges),
-      made("beyond light", "Casters that reach beyond a light's plane", "above it, world units",
-           beyondLight),
-      made("overlapping", "Casters that overlap before a light", "apart, world units", overlapping),
-      made("reaching in", "Casters that reach into a light", "distance, world units", reachingIn)};
-  cases[6].property = "visibility is no lighter than the truth's (largest excess)";
+      wedgeCase("penumbra contact", "A box that touches the floor, or nearly", "gap, world units",
+                contact),
+      wedgeCase("edge at light", "Edges that point at a light's centre", "aside, world units",
+                edgeAtLight),
+      wedgeCase("edge through centre", "A light's centre on an edge or a corner",
+                "aside, world units", edgeThroughCentre),
+      wedgeCase("eye in penumbra", "An eye before, in and behind a penumbra", "height of the eye",
+                eyeInPenumbra),
+      wedgeCase("many edges", "Many edges before a light at once", "edges", manyEdges),
+      wedgeCase("beyond light", "Casters that reach beyond a light's plane",
+                "above it, world units", beyondLight),
+      wedgeCase("overlapping", "Casters that overlap before a light", "apart, world units",
+                overlapping),
+      wedgeCase("reaching in", "Casters that reach into a light", "distance, world units",
+                reachingIn)};
+  cases[6].property = kNoLighter;
   for (const size_t i : {1, 7}) {
-    cases[i].property = "visibility is finite and in [0, 1] (values that are not)";
+    cases[i].property = kFiniteShares;
     cases[i].reason = "exact";
   }
   return cases;

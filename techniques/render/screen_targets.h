@@ -8,6 +8,12 @@ namespace sb {
 /// Light adds up, in alpha too.
 inline constexpr rhi::BlendState kBlendAdd = {
     .enabled = true, .dstColor = rhi::BlendFactor::One, .dstAlpha = rhi::BlendFactor::One};
+/// What is there, less what is drawn, in alpha too.
+inline constexpr rhi::BlendState kBlendTake = {.enabled = true,
+                                               .dstColor = rhi::BlendFactor::One,
+                                               .colorOp = rhi::BlendOp::ReverseSubtract,
+                                               .dstAlpha = rhi::BlendFactor::One,
+                                               .alphaOp = rhi::BlendOp::ReverseSubtract};
 /// Weights multiply; alpha stays.
 inline constexpr rhi::BlendState kBlendMultiply = {.enabled = true,
                                                    .srcColor = rhi::BlendFactor::Zero,

@@ -24,6 +24,9 @@ std::optional<rhi::Skip> unsupported(const rhi::Device& device, const TechniqueS
       !(transparency.drawsParts && transparency.drawsParts(knobs)))
     return rhi::Skip{shadow.name + " makes shadow maps between translucent surfaces here, and " +
                      transparency.name + " does not draw those one after another"};
+  for (const TechniqueInfo* info : set.all())
+    if (const std::string why = info->refuses ? info->refuses(knobs) : ""; !why.empty())
+      return rhi::Skip{info->name + ": " + why};
   if (shadow.receiversByLayer && !device.formatCaps(rhi::Format::D32FloatS8).depthTarget)
     return rhi::Skip{"the device has no depth targets of D32F with stencil"};
   // Persistent triangle keys need gl_PrimitiveID, which Vulkan ties to geometry shaders (spec 03,

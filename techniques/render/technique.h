@@ -49,6 +49,8 @@ struct TechniqueInfo {
   /// Shadow techniques: with these knobs maps change between translucent surfaces, so that the
   /// transparency technique must be able to draw them part by part. Null: never.
   std::function<bool(const Knobs&)> drawsInParts;
+  /// Why these knobs do not go together, or "". Null: any do.
+  std::function<std::string(const Knobs&)> refuses;
   /// Transparency techniques: with these knobs parts can be drawn one after another. Null: never.
   std::function<bool(const Knobs&)> drawsParts;
   /// Shadow techniques that answer in screen space, for one layer of receivers at a time:

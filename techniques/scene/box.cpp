@@ -24,6 +24,13 @@ Box instanceBox(const PlacedScene& placed, uint32_t instance, const glm::dvec3& 
                         placed.toWorld(instance), origin, axes);
 }
 
+Box instancesBox(const PlacedScene& placed, const glm::dvec3& origin) {
+  Box box;
+  for (uint32_t i = 0; i < placed.scene().instances.size(); ++i)
+    box.add(instanceBox(placed, i, origin));
+  return box;
+}
+
 Box sceneBox(const Scene& scene) {
   Box box;
   for (const Instance& instance : scene.instances) box.add(instanceBox(scene, instance));

@@ -45,6 +45,8 @@ Box instanceBox(const Scene& scene, const Instance& instance,
                 const glm::dvec3& origin = glm::dvec3(0));
 Box instanceBox(const PlacedScene& placed, uint32_t instance, const glm::dvec3& origin,
                 const glm::dmat3& axes = glm::dmat3(1));
+/// Of all instances, now.
+Box instancesBox(const PlacedScene& placed, const glm::dvec3& origin);
 /// Of all instances and media.
 Box sceneBox(const Scene& scene);
 

@@ -20,22 +20,28 @@ struct VolumeChoice {
   std::optional<uint32_t> casts = {};  ///< CASTS_*
   std::optional<DepthCount> count = {};
   bool finite = false;  ///< extruded as far as the light reaches, else to infinity
+  /// Shares of what casts are added up: closed casters cast by one of their sides, whichever is
+  /// right, never by both, and triangles that a mesh holds twice cast once. What casts is listed
+  /// whether its caps are drawn or not.
+  bool addsUp = false;
+  bool byLoops = false;  ///< with addsUp: items are sorted by the loops of silhouettes
 };
 
 struct CasterVolume {
   uint32_t instance = 0;
   uint32_t mesh = 0;
   DepthCount count = DepthCount::Fail;
-  std::vector<uint32_t> parts;  ///< VOLUME_*, those that are drawn
+  std::vector<uint32_t> parts;               ///< VOLUME_*, those that are drawn
   std::vector<uint32_t> caps = {CAPS_BOTH};  ///< CAPS_*, what of them is drawn, one by one
-  gpu::VolumeData data{};       ///< but for the lists
+  gpu::VolumeData data{};                    ///< but for the lists
   /// Items of each part (shaders/common/volume_vertex.glsl), at most.
   std::array<uint32_t, VOLUME_PARTS> items{};
   uint32_t number = 0;  ///< among all volumes of the frame
 
-  uint32_t vertices(uint32_t part) const {
-    return items[part] * (part == VOLUME_SIDES ? data.vertices.x : data.vertices.y);
+  uint32_t verticesOfItem(uint32_t part) const {
+    return part == VOLUME_SIDES ? data.vertices.x : data.vertices.y;
   }
+  uint32_t vertices(uint32_t part) const { return items[part] * verticesOfItem(part); }
 };
 
 struct LightVolumes {

@@ -3,11 +3,11 @@
 namespace sb {
 
 EdgeBuffers::EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeSlots& slots,
-                         std::span<const uint32_t> meshes) {
+                         std::span<const uint32_t> meshes, Doubles doubles) {
   std::vector<gpu::EdgeData> all;
   std::map<uint32_t, size_t> firstEdge;
   for (const uint32_t mesh : meshes) {
-    EdgeMesh edges = edgeMesh(scene.scene().meshes[mesh]);
+    EdgeMesh edges = edgeMesh(scene.scene().meshes[mesh], doubles);
     firstEdge[mesh] = all.size();
     all.insert(all.end(), edges.edges.begin(), edges.edges.end());
     m_meshes[mesh] = {.edges = {},

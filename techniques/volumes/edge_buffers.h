@@ -20,7 +20,7 @@ class EdgeBuffers {
   /// Of some meshes of the scene, which must outlive this. Throws rhi::Error when the device
   /// refuses.
   EdgeBuffers(rhi::Device& device, const GpuScene& scene, const EdgeSlots& slots,
-              std::span<const uint32_t> meshes);
+              std::span<const uint32_t> meshes, Doubles doubles = Doubles::Each);
 
   /// One mesh: numbers of vertices and triangles in its edges are its own.
   struct MeshEdges {

@@ -1,7 +1,9 @@
 #include "techniques/volumes/edge_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
 #include <span>
 
 #include "techniques/scene/geometry/mesh_edges.h"
@@ -30,16 +32,16 @@ void addEdge(std::span<const EdgeSide> sides, EdgeMesh& out) {
 }
 
 /// EdgeMesh::winding of a closed mesh: the signs of what its connected parts enclose.
-int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
+int windingOf(const Mesh& mesh, const EdgeMesh& edges) {
   std::vector<uint32_t> part(mesh.triangleCount());
   std::iota(part.begin(), part.end(), 0u);
   const auto root = [&](uint32_t t) {
     while (part[t] != t) t = part[t] = part[part[t]];
     return t;
   };
-  for (const gpu::EdgeData& e : edges) part[root(e.ends.z >> 1)] = root(e.ends.w >> 1);
+  for (const gpu::EdgeData& e : edges.edges) part[root(e.ends.z >> 1)] = root(e.ends.w >> 1);
   std::vector<double> volume(part.size(), 0.0);
-  for (uint32_t t = 0; t < part.size(); ++t) {
+  for (const uint32_t t : edges.triangles) {
     // Relative to a point of the part, so that parts far from zero lose nothing.
     const glm::dvec3 origin = cornerOf(mesh, root(t), 0);
     volume[root(t)] +=
@@ -47,12 +49,26 @@ int windingOf(const Mesh& mesh, const std::vector<gpu::EdgeData>& edges) {
                  glm::cross(cornerOf(mesh, t, 1) - origin, cornerOf(mesh, t, 2) - origin));
   }
   bool outward = true, inward = true;
-  for (uint32_t t = 0; t < part.size(); ++t) {
-    if (root(t) != t || !hasArea(mesh, t)) continue;
+  for (const uint32_t t : edges.triangles) {
+    if (root(t) != t) continue;
     outward &= volume[t] > 0;
     inward &= volume[t] < 0;
   }
   return outward ? 1 : inward ? -1 : 0;
+}
+
+std::vector<uint32_t> castingTriangles(const Mesh& mesh, Doubles doubles) {
+  const std::vector<uint32_t> weld = weldedVertices(mesh.positions);
+  std::set<std::array<uint32_t, 3>> known;
+  std::vector<uint32_t> triangles;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    if (!hasArea(mesh, t)) continue;
+    std::array<uint32_t, 3> corners;
+    for (size_t c = 0; c < 3; ++c) corners[c] = weld[mesh.indices[3 * size_t(t) + c]];
+    std::ranges::sort(corners);
+    if (doubles == Doubles::Each || known.insert(corners).second) triangles.push_back(t);
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -63,17 +79,20 @@ bool hasArea(const Mesh& mesh, uint32_t triangle) {
   return glm::dot(n, n) > 0;
 }
 
-EdgeMesh edgeMesh(const Mesh& mesh) {
+EdgeMesh edgeMesh(const Mesh& mesh, Doubles doubles) {
+  EdgeMesh out{.edges = {}, .triangles = castingTriangles(mesh, doubles)};
   std::vector<EdgeSide> sides = edgeSides(mesh);
-  std::erase_if(sides, [&](const EdgeSide& side) { return !hasArea(mesh, side.triangle); });
-  EdgeMesh out{.edges = {}, .closed = !sides.empty()};
+  std::erase_if(sides, [&](const EdgeSide& side) {
+    return !std::ranges::binary_search(out.triangles, side.triangle);
+  });
+  out.closed = !sides.empty();
   for (size_t first = 0, end = 0; first < sides.size(); first = end) {
     while (end < sides.size() && sides[end].low == sides[first].low &&
            sides[end].high == sides[first].high)
       ++end;
     addEdge(std::span(sides).subspan(first, end - first), out);
   }
-  if (out.closed) out.winding = windingOf(mesh, out.edges);
+  if (out.closed) out.winding = windingOf(mesh, out);
   return out;
 }
 

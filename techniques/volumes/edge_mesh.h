@@ -16,6 +16,7 @@ struct EdgeMesh {
   /// have no edges. Of triangles that meet at an edge those of opposite direction are paired first,
   /// so that parts that are closed cancel within one record.
   std::vector<gpu::EdgeData> edges;
+  std::vector<uint32_t> triangles;  ///< that may cast, of the mesh
   /// Every edge has two triangles, of opposite direction: the mesh encloses a volume.
   bool closed = false;
   /// Closed meshes: 1 where every connected part encloses its inside as it is wound, -1 where every
@@ -26,7 +27,12 @@ struct EdgeMesh {
 /// Triangles without area neither cast nor have edges.
 bool hasArea(const Mesh& mesh, uint32_t triangle);
 
-EdgeMesh edgeMesh(const Mesh& mesh);
+/// Triangles of a mesh at the same three corners, whichever way they are wound.
+enum class Doubles : uint8_t {
+  Each,  ///< cast each for itself: two surfaces
+  Once,  ///< cast as one: the first
+};
+EdgeMesh edgeMesh(const Mesh& mesh, Doubles doubles = Doubles::Each);
 
 /// Signed number of sides along an edge; `casts`: of a triangle, 1 as it is wound, -1 turned over,
 /// 0 not at all.

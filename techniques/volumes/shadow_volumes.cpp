@@ -25,7 +25,7 @@ ShadowVolumes::ShadowVolumes(const Context& context, VolumeBuilder builder,
                         {.edges = STORAGE_TECHNIQUE,
                          .corners = STORAGE_TECHNIQUE + 1,
                          .positions = STORAGE_TECHNIQUE + 2},
-                        casterMeshes());
+                        casterMeshes(), choice.addsUp ? Doubles::Once : Doubles::Each);
   context.view.alongPath(context.device, [&] {
     // From anywhere a camera may see all that is lit.
     update(context.view.isFree() ? m_culling.all() : m_culling.casters());
@@ -56,6 +56,7 @@ void ShadowVolumes::update(const std::vector<LightCasters>& casters) {
   m_lights = lightVolumes(m_context.view, m_edges, m_choice, casters);
   m_items.clear();
   m_firstItem.clear();
+  m_loops.clear();
   m_itemCount = 0;
   for (LightVolumes& light : m_lights)
     for (CasterVolume& volume : light.casters) findItems(volume, light.light);
@@ -81,9 +82,17 @@ void ShadowVolumes::findItems(CasterVolume& volume, uint32_t light) {
   volume.data.lists.w = kArgumentWords * volume.number;
   if (!listed()) return;
   const Silhouette* found = nullptr;
-  if (m_builder == VolumeBuilder::Cpu)
-    found = &m_silhouettes.of(light, volume, m_context.view.scene().meshes[volume.mesh],
-                              m_edges.of(volume.mesh).mesh);
+  Silhouette sorted;
+  if (m_builder == VolumeBuilder::Cpu) {
+    const Mesh& mesh = m_context.view.scene().meshes[volume.mesh];
+    const EdgeMesh& edges = m_edges.of(volume.mesh).mesh;
+    found = &m_silhouettes.of(light, volume, mesh, edges);
+    if (m_choice.byLoops) {
+      sorted = *found;
+      m_loops.push_back(sortByLoops(mesh, edges, sorted));
+      found = &sorted;
+    }
+  }
   uint32_t count = 0;
   for (uint32_t part = 0; part < VOLUME_PARTS; ++part) {
     volume.data.lists[int(part)] = count;
@@ -215,8 +224,8 @@ std::vector<rhi::ResourceUse> ShadowVolumes::reads() const {
 }
 
 void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
-                         const LightVolumes& light, const CasterVolume& volume,
-                         uint32_t part) const {
+                         const LightVolumes& light, const CasterVolume& volume, uint32_t part,
+                         const SilhouetteLoop* loop) const {
   const rhi::DrawState state{.pipeline = pipeline,
                              .bindings = m_bindings[volume.number],
                              .scissor = light.scissor};
@@ -225,9 +234,13 @@ void ShadowVolumes::draw(rhi::CommandList& commands, rhi::PipelineId pipeline,
     commands.drawIndirect(state, {.buffer = m_arguments, .offset = at});
     return;
   }
-  const uint32_t vertices =
-      hasGeometryShader(part) ? volume.data.counts.x : volume.vertices(part);
-  if (vertices > 0) commands.draw(state, {.vertexCount = vertices});
+  rhi::DrawArgs draw{.vertexCount = hasGeometryShader(part) ? volume.data.counts.x
+                                                            : volume.vertices(part)};
+  if (loop) {
+    const uint32_t each = volume.verticesOfItem(part);
+    draw = {.vertexCount = (*loop)[part].count * each, .firstVertex = (*loop)[part].first * each};
+  }
+  if (draw.vertexCount > 0) commands.draw(state, draw);
 }
 
 }  // namespace sb

@@ -10,7 +10,7 @@
 
 #include "techniques/draw/context.h"
 #include "techniques/draw/frame/frame.h"
-#include "techniques/volumes/silhouette.h"
+#include "techniques/volumes/silhouette_loops.h"
 
 namespace sb {
 
@@ -30,6 +30,10 @@ class ShadowVolumes {
     return std::span(m_items).subspan(m_firstItem[volume.number] + volume.data.lists[int(part)],
                                       volume.items[part]);
   }
+  /// VolumeChoice::byLoops: those of a volume's items.
+  std::span<const SilhouetteLoop> loops(const CasterVolume& volume) const {
+    return m_choice.byLoops ? m_loops[volume.number] : std::span<const SilhouetteLoop>();
+  }
   const EdgeBuffers::MeshEdges& edges(uint32_t mesh) const { return m_edges.of(mesh); }
   /// Of this step, as records name them: what was left out, and what is drawn.
   std::vector<std::pair<std::string, uint64_t>> counts() const;
@@ -43,8 +47,9 @@ class ShadowVolumes {
   rhi::GraphicsPipelineDesc pipeline(uint32_t part, uint32_t caps) const;
   /// What passes that draw volumes read.
   std::vector<rhi::ResourceUse> reads() const;
+  /// `loop`: its items alone; VolumeBuilder::Cpu.
   void draw(rhi::CommandList& commands, rhi::PipelineId pipeline, const LightVolumes& light,
-            const CasterVolume& volume, uint32_t part) const;
+            const CasterVolume& volume, uint32_t part, const SilhouetteLoop* loop = nullptr) const;
 
  private:
   using Write = std::function<void(rhi::BufferId, std::span<const std::byte>)>;
@@ -72,6 +77,7 @@ class ShadowVolumes {
   Silhouettes m_silhouettes;
   std::vector<uint32_t> m_items;                      ///< of all lists, Cpu
   std::vector<uint64_t> m_firstItem;                  ///< of each volume's lists
+  std::vector<std::vector<SilhouetteLoop>> m_loops;   ///< of each volume
   uint64_t m_itemCount = 0;                           ///< of this step
   uint64_t m_mostItems = 0, m_mostVolumes = 0;        ///< of any step
   std::vector<std::vector<rhi::Binding>> m_bindings;  ///< of each volume

@@ -19,7 +19,7 @@ Silhouette silhouette(const Mesh& mesh, const EdgeMesh& edges, const gpu::Volume
     return mesh.positions[mesh.indices[3 * size_t(t) + c]];
   };
   std::vector<int> casts(mesh.triangleCount());
-  for (uint32_t t = 0; t < casts.size(); ++t)
+  for (const uint32_t t : edges.triangles)
     casts[t] = gpu::casts(volume, corner(t, 0), corner(t, 1), corner(t, 2));
   Silhouette items;
   for (uint32_t e = 0; e < edges.edges.size(); ++e) {
@@ -27,10 +27,9 @@ Silhouette silhouette(const Mesh& mesh, const EdgeMesh& edges, const gpu::Volume
     items[VOLUME_SIDES].insert(items[VOLUME_SIDES].end(), size_t(std::abs(m)),
                                2 * e + (m < 0 ? 1 : 0));
   }
-  for (uint32_t t = 0; t < casts.size(); ++t) {
+  for (const uint32_t t : edges.triangles) {
     const uint32_t part = casts[t] > 0 ? VOLUME_CAPS : VOLUME_TURNED;
-    if (casts[t] != 0 && (volume.vertices.z >> part & 1) && hasArea(mesh, t))
-      items[part].push_back(t);
+    if (casts[t] != 0 && (volume.vertices.z >> part & 1)) items[part].push_back(t);
   }
   return items;
 }

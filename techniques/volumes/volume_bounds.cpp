@@ -5,15 +5,8 @@
 #include <numbers>
 
 namespace sb {
-namespace {
-
-// As ConvexRegion: what floats move is kept.
-constexpr double kSlack = 1e-6;
-
-}  // namespace
-
 bool VolumeBounds::liesOutside(std::span<const HalfSpace> halfSpaces) const {
-  const double slack = kSlack * (glm::length(caster.center()) + caster.radius());
+  const double slack = kRasterSlack * (glm::length(caster.center()) + caster.radius());
   const auto outside = [&](const HalfSpace& h) {
     for (int i = 0; i < 8; ++i) {
       const glm::dvec3 corner = caster.corner(i);

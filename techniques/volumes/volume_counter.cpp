@@ -7,7 +7,7 @@ using rhi::StencilOp;
 
 /// Depth is 1 near .. 0 far. Volumes before the receiver are strictly before it: a cap that lies on
 /// its own surface counts as behind, so that what faces the light is lit.
-constexpr rhi::CompareOp kBefore = rhi::CompareOp::Greater, kBehind = rhi::CompareOp::LessOrEqual;
+constexpr rhi::CompareOp kBehind = rhi::CompareOp::LessOrEqual;
 
 }  // namespace
 
@@ -79,13 +79,14 @@ void VolumeCounter::prepare(const ShadowVolumes& volumes, const std::vector<Ligh
 }
 
 void VolumeCounter::draw(rhi::CommandList& commands, const ShadowVolumes& volumes,
-                         const LightVolumes& light, std::span<const CasterVolume> casters) const {
+                         const LightVolumes& light, std::span<const CasterVolume> casters,
+                         const SilhouetteLoop* loop) const {
   for (const rhi::CullMode cull : culls())
     for (const CasterVolume& volume : casters)
       for (const uint32_t part : volume.parts)
         for (const uint32_t caps : capsOf(volume, part))
           volumes.draw(commands, m_pipelines.at({part, volume.count, cull, caps}), light, volume,
-                       part);
+                       part, loop);
 }
 
 }  // namespace sb

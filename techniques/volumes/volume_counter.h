@@ -18,6 +18,8 @@ enum class CounterKind : uint8_t { Stencil, Float };
 class VolumeCounter {
  public:
   static constexpr rhi::Format kDepthFormat = rhi::Format::D32FloatS8;
+  /// Of volumes that lie before receivers: strictly.
+  static constexpr rhi::CompareOp kBefore = rhi::CompareOp::Greater;
   static constexpr rhi::Format kFloatFormat = rhi::Format::R32Float;
 
   /// `format`: of the target of CounterKind::Float, whose first channel counts; of bytes, the first
@@ -29,9 +31,10 @@ class VolumeCounter {
   /// Makes what drawing these volumes needs.
   void prepare(const ShadowVolumes& volumes, const std::vector<LightVolumes>& lights);
   /// Within a pass over the receivers' depth, read only: its stencil counts, or the one colour
-  /// target. Both start at 0, and are 0 where no volume is. `casters`: of the light, all or some.
+  /// target. Both start at 0, and are 0 where no volume is. `casters`: of the light, all or some;
+  /// `loop`: of one caster, what it keeps from the light.
   void draw(rhi::CommandList& commands, const ShadowVolumes& volumes, const LightVolumes& light,
-            std::span<const CasterVolume> casters) const;
+            std::span<const CasterVolume> casters, const SilhouetteLoop* loop = nullptr) const;
 
  private:
   struct Variant {

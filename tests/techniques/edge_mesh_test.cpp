@@ -93,6 +93,22 @@ TEST(EdgeMesh, OpenEdgesDuplicatesAndTrianglesWithoutArea) {
   EXPECT_FALSE(edgeMesh(soup({a, b, b})).closed);
 }
 
+TEST(EdgeMesh, DoubledTrianglesMayCastOnce) {
+  const glm::vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  const auto all = [](uint32_t) { return 1; };
+  // As wound, from another corner, turned over.
+  const Mesh mesh = soup({a, b, c, b, c, a, a, c, b});
+  EXPECT_EQ(sidesOf(edgeMesh(mesh, Doubles::Once), all), 3);
+  EXPECT_EQ(edgeMesh(mesh, Doubles::Once).triangles, std::vector<uint32_t>{0});
+  EXPECT_EQ(edgeMesh(mesh).triangles, (std::vector<uint32_t>{0, 1, 2}));
+  Mesh box = boxMesh();
+  const std::vector<uint32_t> once = box.indices;
+  box.indices.insert(box.indices.end(), once.begin(), once.end());
+  EXPECT_FALSE(edgeMesh(box).closed);
+  EXPECT_TRUE(edgeMesh(box, Doubles::Once).closed);
+  EXPECT_EQ(edgeMesh(box, Doubles::Once).winding, 1);
+}
+
 TEST(EdgeMesh, SidesAreAClosedChainForAnySoup) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(-1, 1);

@@ -53,6 +53,23 @@ TEST(PenumbraPasses, WaysToCombineDiffer) {
   EXPECT_EQ(std::ranges::count(wrap, "shadow mask"), casters);
 }
 
+TEST(PenumbraPasses, LoopsAreTwoPassesEachAndHalvesFourDrawsAWedge) {
+  const Scene scene = boxesUnderLamp(0.5);
+  const Recorded volumes = record(boxesUnderLamp(0), "StencilShadowVolume");
+  // Three boxes and the floor, a loop each.
+  const Recorded loop = record(scene, "PenumbraWedge", {{"combine", "loop"}});
+  const std::vector<std::string> labels = passes(loop);
+  EXPECT_EQ(std::ranges::count(labels, "penumbra wedges"), 4);
+  EXPECT_EQ(std::ranges::count(labels, "shadow mask"), 4);
+  EXPECT_EQ(draws(loop, "penumbra wedges"), draws(volumes, "shadow volumes") + 4);
+  const Recorded split = record(scene, "PenumbraWedge", {{"combine", "split"}});
+  EXPECT_EQ(passes(split), (std::vector<std::string>{"depth prepass", "penumbra wedges",
+                                                     "shadow mask", "opaque"}));
+  // The floor has four edges; the boxes that the lamp stands beside six, the one below it four.
+  const uint32_t wedges = 4 + 4 + 6 + 6;
+  EXPECT_EQ(draws(split, "penumbra wedges"), draws(volumes, "shadow volumes") + 4 * wedges);
+}
+
 TEST(PenumbraPasses, WithoutExtentNothingOfThemExists) {
   // A lamp so small that its penumbrae are narrower than a pixel has none either.
   for (const double radius : {0.0, 1e-4}) {

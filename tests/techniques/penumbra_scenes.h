@@ -27,6 +27,12 @@ struct PenumbraScene {
   std::vector<Occluder> occluders;
 };
 
+inline Light ball(double radius, const glm::dvec3& position = {0.5, 4, 0.25}) {
+  Light light = pointLight(position);
+  makeSphere(light, radius);
+  return light;
+}
+
 inline PenumbraScene penumbraFloor(Light light, const glm::dvec3& eye = {2, 5, 6}) {
   PenumbraScene s{.scene = floorScene(false), .occluders = {}};
   light.intensity = 20;

@@ -16,12 +16,6 @@ CellOptions wedges(Setting knobs = {}, rhi::Extent2D size = {48, 36}) {
   return {.technique = "PenumbraWedge", .knobs = std::move(knobs), .size = size};
 }
 
-Light ball(double radius, const glm::dvec3& position = {0.5, 4, 0.25}) {
-  Light light = pointLight(position);
-  makeSphere(light, radius);
-  return light;
-}
-
 /// A star, tilted, of one outline.
 PenumbraScene star(Light light, const glm::dvec3& eye = {2, 5, 6}) {
   PenumbraScene s = penumbraFloor(std::move(light), eye);

@@ -19,6 +19,8 @@ target_sources(gpu_tests PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/medium_gpu_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/noise_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/motion_gpu_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_combine_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/penumbra_sides_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/penumbra_wedge_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/receiver_layers_test.cpp

@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace sb {
-namespace {
-
-// Boxes and planes are computed in double; what touches within this share of its distance is kept,
-// for the raster works in float.
-constexpr double kSlack = 1e-6;
-
-}  // namespace
-
 ViewVolume::ViewVolume(const Camera& camera, double aspect)
     : m_toView(glm::transpose(glm::dmat3(camera.toWorld))),
       m_near(camera.nearPlane),
@@ -27,7 +19,7 @@ ViewVolume::ViewVolume(const Camera& camera, double aspect)
       for (const double y : {-halfY, halfY})
         m_bounds.add(toWorld * glm::dvec3(x * reach, y * reach, -depth));
   }
-  m_bounds.grow(kSlack * m_bounds.radius());
+  m_bounds.grow(kRasterSlack * m_bounds.radius());
 }
 
 ViewVolume ViewVolume::everywhere(double aspect) {
@@ -43,7 +35,7 @@ bool ViewVolume::mayShow(const Box& box) const {
     const glm::dvec3 furthest(plane.normal.x > 0 ? box.high.x : box.low.x,
                               plane.normal.y > 0 ? box.high.y : box.low.y,
                               plane.normal.z > 0 ? box.high.z : box.low.z);
-    if (glm::dot(plane.normal, furthest) + plane.offset < -kSlack * glm::length(furthest))
+    if (glm::dot(plane.normal, furthest) + plane.offset < -kRasterSlack * glm::length(furthest))
       return false;
   }
   return true;
@@ -52,7 +44,7 @@ bool ViewVolume::mayShow(const Box& box) const {
 bool ViewVolume::mayShow(glm::dvec3 center, double radius) const {
   return std::ranges::all_of(m_planes, [&](const HalfSpace& plane) {
     return glm::dot(plane.normal, center) + plane.offset >=
-           -radius - kSlack * (glm::length(center) + radius);
+           -radius - kRasterSlack * (glm::length(center) + radius);
   });
 }
 
@@ -65,7 +57,7 @@ Box ViewVolume::onScreen(const Box& box) const {
     const double w = m_orthographic ? 1 : -p.z;
     screen.add({p.x * m_scaleX / w, p.y * m_scaleY / w, 0});
   }
-  screen.grow(kSlack);
+  screen.grow(kRasterSlack);
   screen.low.z = screen.high.z = 0;
   return screen;
 }

@@ -14,7 +14,7 @@
 
 #include "shaders/common/shared_types.h"
 #include "techniques/render/registry.h"
-#include "techniques/volumes/hard_shadows.h"
+#include "techniques/volumes/volume_technique.h"
 
 namespace sb {
 namespace {
@@ -44,85 +44,52 @@ CullingChoice cullingOf(const Knobs& knobs) {
           .budget = knobs.integer("budget")};
 }
 
-class StencilShadowVolume final : public ShadowTechnique {
+class StencilShadowVolume final : public VolumeTechnique {
  public:
-  void prepare(const Context& context) override {
-    m_view = &context.view;
-    m_single = context.knobs.is("lights", "single");
-    m_darkness = context.knobs.number("darkness");
-    m_shadows.emplace(
-        context, context.knobs.is("counter", "float") ? CounterKind::Float : CounterKind::Stencil,
-        context.knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
-    std::vector<LightVolumes> united;
-    uint32_t mostLights = 0, mostInView = 0;
-    m_volumes.emplace(context, builderOf(context.knobs), choiceOf(context.knobs),
-                      cullingOf(context.knobs), [&](const std::vector<LightVolumes>& lights) {
-                        mostLights = std::max(mostLights, channels(lights));
-                        mostInView = std::max(mostInView, uint32_t(slots(lights).size()));
-                        united.insert(united.end(), lights.begin(), lights.end());
-                      });
-    if (mostLights == 0) return;
-    m_mask.emplace(context, MaskKind::Binary, mostLights, mostInView);
-    m_shadows->prepare(*m_volumes, united, *m_mask);
-    if (context.view.steps() > 1) return;  // each frame writes its own
-    m_mask->assign(slots(m_volumes->lights()),
-                   [&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-                     context.device.upload(buffer, 0, bytes);
-                   });
-  }
-
-  void moved(Frame& frame) override {
-    m_volumes->moved(frame);
-    if (!m_mask) return;
-    m_mask->assign(slots(m_volumes->lights()),
-                   [&](rhi::BufferId buffer, std::span<const std::byte> bytes) {
-                     frame.commands().write(buffer, 0, bytes);
-                   });
-  }
-
-  void record(Frame& frame) override { m_volumes->record(frame); }
-
   void recordReceivers(Frame& frame, const ReceiverLayer& layer) override {
-    const std::span<const LightVolumes> lights = m_volumes->lights();
-    const uint32_t count = channels(m_volumes->lights());
+    const std::span<const LightVolumes> lights = volumes().lights();
+    const uint32_t count = slotCount(volumes().lights());
     for (uint32_t slot = 0; slot < count; ++slot)
-      m_shadows->record(frame, layer, *m_volumes, m_single ? lights : lights.subspan(slot, 1),
-                        *m_mask, slot);
-  }
-
-  std::vector<std::pair<std::string, uint64_t>> counts() const override {
-    return m_volumes->counts();
+      m_shadows->record(frame, layer, volumes(), m_single ? lights : lights.subspan(slot, 1),
+                        mask(), slot);
   }
 
   VisibilityInputs inputs() const override {
-    // Translucent casters alone throw no shadow here.
-    if (!m_mask)
-      return {
-          .bindings = {}, .reads = {}, .constants = {}, .folder = baselineTechnique().info.folder};
-    VisibilityInputs inputs = m_mask->inputs();
-    inputs.constants = {{16, std::bit_cast<uint32_t>(m_single ? 1 - m_darkness : 0.0f)}};
+    VisibilityInputs inputs = VolumeTechnique::inputs();
+    if (hasMask())
+      inputs.constants = {{16, std::bit_cast<uint32_t>(m_single ? 1 - m_darkness : 0.0f)}};
     return inputs;
   }
 
  private:
-  /// Of the mask: one a light, or one for all of them.
-  uint32_t channels(const std::vector<LightVolumes>& lights) const {
+  Choices choose(const Context& context) override {
+    const Knobs& knobs = context.knobs;
+    m_single = knobs.is("lights", "single");
+    m_darkness = knobs.number("darkness");
+    m_shadows.emplace(context,
+                      knobs.is("counter", "float") ? CounterKind::Float : CounterKind::Stencil,
+                      knobs.is("sides", "one") ? VolumeFaces::Each : VolumeFaces::Both);
+    return {builderOf(knobs), choiceOf(knobs), cullingOf(knobs)};
+  }
+  void visit(const std::vector<LightVolumes>& lights) override {
+    m_united.insert(m_united.end(), lights.begin(), lights.end());
+  }
+  void prepareShadows() override { m_shadows->prepare(volumes(), m_united, mask()); }
+
+  /// One a light, or one for all of them.
+  uint32_t slotCount(const std::vector<LightVolumes>& lights) const override {
     return m_single ? std::min<uint32_t>(1, uint32_t(lights.size())) : uint32_t(lights.size());
   }
-
-  /// Channel of the mask of each light in view.
-  std::vector<uint32_t> slots(const std::vector<LightVolumes>& lights) const {
-    std::vector<uint32_t> slots = maskSlots(*m_view, lights);
+  std::vector<uint32_t> slots(const std::vector<LightVolumes>& lights) const override {
+    std::vector<uint32_t> slots = VolumeTechnique::slots(lights);
     for (uint32_t& slot : slots)
       if (m_single) slot = lights.empty() ? NO_SHADOW : 0;
     return slots;
   }
 
-  const SceneView* m_view = nullptr;
   bool m_single = false;
-  float m_darkness = 0;  ///< share of light that is taken where all lights count as one
-  std::optional<ShadowVolumes> m_volumes;
-  std::optional<ShadowMask> m_mask;
+  float m_darkness = 0;                ///< share of light that is taken where all lights count as one
+  std::vector<LightVolumes> m_united;  ///< of all steps
   std::optional<HardShadows> m_shadows;
 };
 

@@ -6,22 +6,19 @@
 namespace sb {
 namespace {
 
-// A share of the distance; floats keep 2^-24 of it.
-constexpr double kSlack = 1e-6;
-
 Lies worse(Lies a, Lies b) { return std::min(a, b); }
 
 Lies liesToPlane(const HalfSpace& h, const glm::dvec3& center, const glm::dvec3& half) {
   const double height = glm::dot(h.normal, center) + h.offset;
   const double extent = glm::dot(glm::abs(h.normal), half);
-  const double slack = kSlack * (glm::length(center) + glm::length(half));
+  const double slack = kRasterSlack * (glm::length(center) + glm::length(half));
   if (height + extent < -slack) return Lies::Outside;
   return height - extent > slack ? Lies::Inside : Lies::Across;
 }
 
 Lies liesToSphere(const Sphere& s, const Box& box) {
   const glm::dvec3 nearest = glm::clamp(s.center, box.low, box.high);
-  const double slack = kSlack * (s.radius + box.radius());
+  const double slack = kRasterSlack * (s.radius + box.radius());
   if (glm::distance(nearest, s.center) > s.radius + slack) return Lies::Outside;
   const glm::dvec3 farthest = glm::max(glm::abs(box.low - s.center), glm::abs(box.high - s.center));
   return glm::length(farthest) < s.radius - slack ? Lies::Inside : Lies::Across;

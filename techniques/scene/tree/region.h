@@ -8,6 +8,10 @@
 
 namespace sb {
 
+/// Share of its distance by which the raster's floats (2^-24 of it) may move what is computed in
+/// double: what touches within it is kept.
+inline constexpr double kRasterSlack = 1e-6;
+
 /// dot(normal, p - the region's origin) + offset >= 0 within.
 struct HalfSpace {
   glm::dvec3 normal = glm::dvec3(0);  ///< unit

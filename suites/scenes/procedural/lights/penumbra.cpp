@@ -2,7 +2,7 @@
 // way up, a pole that touches the floor - its shadow begins hard and grows soft - and a coloured
 // pane whose penumbra lies in the board's.
 #include "suites/scenes/edit/mesh_tools.h"
-#include "suites/scenes/procedural/scenes.h"
+#include "suites/scenes/procedural/parts/solids.h"
 #include "techniques/scene/light_area.h"
 
 namespace sb {
@@ -11,24 +11,6 @@ namespace {
 glm::dmat4 flatAt(double x, double y, double z) {
   return glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
                     glm::dvec4(x, y, z, 1));
-}
-
-/// A square column about the y axis, without ends.
-Mesh poleMesh(uint32_t material, float half, float height) {
-  Mesh mesh;
-  mesh.name = "pole";
-  mesh.material = material;
-  const glm::vec3 corners[] = {
-      {half, 0, half}, {half, 0, -half}, {-half, 0, -half}, {-half, 0, half}};
-  for (uint32_t side = 0; side < 4; ++side) {
-    const glm::vec3 a = corners[side], b = corners[(side + 1) % 4], up(0, height, 0);
-    const uint32_t first = 4 * side;
-    mesh.positions.insert(mesh.positions.end(), {a, b, b + up, a + up});
-    mesh.normals.insert(mesh.normals.end(), 4, glm::normalize(a + b));
-    mesh.indices.insert(mesh.indices.end(),
-                        {first, first + 1, first + 2, first, first + 2, first + 3});
-  }
-  return mesh;
 }
 
 Scene make(const ParamValues& p) {
@@ -41,9 +23,8 @@ Scene make(const ParamValues& p) {
   addInstance(scene, "floor", addMesh(scene, quadMesh("floor", white, {8, 8})), flatAt(0, 0, 0));
   addInstance(scene, "board", addMesh(scene, quadMesh("board", grey, {1.5f, 1.5f})),
               flatAt(-1.5, 2, -1));
-  glm::dmat4 pole(1);
-  pole[3] = {2.2, 0, -0.6, 1};
-  addInstance(scene, "pole", addMesh(scene, poleMesh(grey, 0.15f, 2)), pole);
+  addInstance(scene, "pole", addMesh(scene, cubeMesh("pole", grey)),
+              solidAt({2.2, 1, -0.6}, {0.15, 1, 0.15}));
   addInstance(scene, "pane", addMesh(scene, quadMesh("pane", red, {0.9f, 0.6f})),
               flatAt(0, 1.2, 0.7));
 
