@@ -7,15 +7,11 @@
 #include "common/receiver.glsl"
 #include <technique/visibility.glsl>
 #include "common/surface.glsl"
-#include "common/shared_shading.h"
 #include "common/visibility_layer.glsl"
 layout(location = 0) out vec4 o_visibility;
 
 void main() {
   Receiver r = surfaceReceiver(v_position);
   discardUnlessInLayer(opticsAt(material, baseColorAt(material, v_uv, v_color), v_uv).alpha);
-  // As the truth: where a lamp's range or cone ends, nobody asks, and what techniques leave out
-  // there for speed is no answer.
-  bool asked = any(greaterThan(illumination(lightAt(PASS_LIGHT), r.position).radiance, vec3(0)));
-  o_visibility = asked ? vec4(lightVisibility(PASS_LIGHT, r), 1) : vec4(0);
+  o_visibility = vec4(lightVisibility(PASS_LIGHT, r), 1);
 }

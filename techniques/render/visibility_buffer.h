@@ -8,7 +8,7 @@
 namespace sb {
 
 /// One layer for one light: width * height * 4 floats, row 0 = bottom row of the picture (clip
-/// y = -1); alpha 1 where a surface is within the light's range and cone, else all 0.
+/// y = -1); alpha 1 where a surface is, else all 0.
 using VisibilityImage = std::vector<float>;
 
 class VisibilityBuffer {
