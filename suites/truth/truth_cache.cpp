@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever a truth of the same scene may come out differently.
-constexpr uint32_t kVersion = 3;
+constexpr uint32_t kVersion = 4;
 constexpr char kMagic[8] = {'s', 'b', 't', 'r', 'u', 't', 'h', '\n'};
 constexpr const char* kExtension = ".truth";
 

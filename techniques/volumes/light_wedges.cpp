@@ -64,9 +64,10 @@ void LightWedges::reserve(std::span<const LightVolumes* const> lights) {
   uint64_t triangles = lights.size() * startStride<gpu::WedgeTriangle>(device);
   for (const LightVolumes* light : lights)
     for (const CasterVolume& volume : light->casters) {
-      // Another eye may have all edges and triangles cast.
+      // Another eye may have all edges and triangles cast, and both sides of an edge in loops of
+      // their own.
       const bool free = m_context.view.isFree();
-      wedges += free ? volume.data.counts.x : volume.items[VOLUME_SIDES];
+      wedges += free ? 2 * uint64_t(volume.data.counts.x) : volume.items[VOLUME_SIDES];
       triangles +=
           free ? volume.data.counts.y : volume.items[VOLUME_CAPS] + volume.items[VOLUME_TURNED];
       ++casters;

@@ -39,6 +39,26 @@ TEST(TruthArea, WhatHidesAllOfTheLightIsExact) {
   EXPECT_EQ(shareAt(scene, 2, 1), 0);
 }
 
+TEST(TruthArea, HolesInWhatHidesAllOfTheLightAreLookedThrough) {
+  // A perforated sheet that covers the light, one half of it open: its edge halves the light,
+  // though no triangle's edge does.
+  Scene scene = under(areaLight({0, 4, 0}, LightShape::Disc, {0.5, 0.5, 0}));
+  scene.images.push_back(
+      {.name = "half", .width = 2, .height = 1, .rgba = {255, 255, 255, 255, 255, 255, 255, 0}});
+  Material perforated = matte();
+  perforated.alphaMode = AlphaMode::Mask;
+  perforated.baseColorTexture.image = 0;
+  perforated.baseColorTexture.nearest = true;
+  perforated.baseColorTexture.wrapU = Wrap::ClampToEdge;
+  Mesh sheet = quadMesh(add(scene, perforated), {0, 2, 0}, {0, 0, 1000}, {1000, 0, 0});
+  sheet.uv0.clear();
+  for (const glm::vec3& p : sheet.positions) sheet.uv0.push_back({p.x / 2000 + 0.5f, 0.5f});
+  place(scene, add(scene, sheet));
+  const double left = shareAt(scene, -0.25, 0.5), right = shareAt(scene, 0.25, 0.5);
+  EXPECT_NEAR(std::min(left, right), segment(0.5), kExpected);
+  EXPECT_NEAR(left + right, 1, 2 * kExpected);
+}
+
 TEST(TruthArea, WithinTheLightNothingIsDefined) {
   Scene scene = under(sphere({0, 0.1, 0}, 1));
   addStrip(scene, 0.05, 0, 1000);

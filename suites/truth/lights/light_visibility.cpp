@@ -90,7 +90,9 @@ class LightVisibility::Question {
     for (const uint32_t t : between) {
       const SurfaceTraits& traits = m_scene.traits(t);
       const bool covers = (m_ownNear == 0 || m_scene.triangles()[t].instance != m_point.instance) &&
-                          !traits.material.textured && shaft.isCoveredBy(m_scene.triangles()[t]);
+                          !traits.material.textured &&
+                          traits.material.lightClass != MaterialClass::Perforated &&
+                          shaft.isCoveredBy(m_scene.triangles()[t]);
       if (covers && traits.blocks) return dvec3(0);
       even &= covers;
     }
