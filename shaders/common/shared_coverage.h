@@ -202,15 +202,20 @@ SHARED float edgeShare(LightSight sight, vec3 a, vec3 b) {
   return edge.left ? beyond : -beyond;
 }
 
-// A triangle (seen points) lies between the receiver and the light's centre: by the same arithmetic
-// as the signs of edgeShare, so that H and G agree wherever the centre is about at an edge.
-SHARED bool hidesCentre(LightSight sight, vec3 a, vec3 b, vec3 c) {
-  vec3 ab = lineThrough(a, b);
-  vec3 bc = lineThrough(b, c);
-  vec3 ca = lineThrough(c, a);
-  bool left = isLeft(ab);
-  if (isLeft(bc) != left || isLeft(ca) != left) return false;
-  float z = (ab.z * c.z + bc.z * a.z + ca.z * b.z) / (ab.z + bc.z + ca.z);
+// Where the ray from the receiver to the light's centre meets a triangle's plane, 1 at the centre (a
+// light without place: at distance 1). Corners are relative to the receiver, not seen points: where
+// the light is seen edge-on, those are too large to tell the receiver's own surface from others.
+SHARED float wayToPlane(vec3 a, vec3 b, vec3 c, vec3 centre) {
+  vec3 n = cross(b - a, c - a);
+  return dot(n, a) / dot(n, centre);
+}
+
+// A triangle (seen points; z: its wayToPlane) lies between the receiver and the light's centre: by
+// the same arithmetic as the signs of edgeShare, so that H and G agree wherever the centre is about
+// at an edge.
+SHARED bool hidesCentre(LightSight sight, vec3 a, vec3 b, vec3 c, float z) {
+  bool left = isLeft(lineThrough(a, b));
+  if (isLeft(lineThrough(b, c)) != left || isLeft(lineThrough(c, a)) != left) return false;
   return z > NEAREST_OCCLUDER && z < sight.far;
 }
 

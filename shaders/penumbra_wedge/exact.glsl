@@ -20,10 +20,14 @@ bool mayHide(WedgeReceiver r, vec4 sphere, float within) {
 float hiddenByTriangles(WedgeReceiver r, WedgeCaster caster) {
   float count = 0.0;
   for (uint t = caster.parts.z; t < caster.parts.z + caster.parts.w; ++t) {
-    vec3 seen[3];
-    for (uint k = 0u; k < 3u; ++k)
-      seen[k] = seenPoint(r.sight, castingTriangles[t].corners[k].xyz - r.position);
-    if (hidesCentre(r.sight, seen[0], seen[1], seen[2])) count += 1.0;
+    vec3 from[3], seen[3];
+    for (uint k = 0u; k < 3u; ++k) {
+      from[k] = castingTriangles[t].corners[k].xyz - r.position;
+      seen[k] = seenPoint(r.sight, from[k]);
+    }
+    if (hidesCentre(r.sight, seen[0], seen[1], seen[2],
+                    wayToPlane(from[0], from[1], from[2], r.toLight)))
+      count += 1.0;
   }
   return count;
 }

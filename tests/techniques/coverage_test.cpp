@@ -28,6 +28,11 @@ LightSight unitSight(uint32_t seen = SEEN_ROUND) {
 /// Half way to the light.
 vec3 at(float x, float y) { return seenPoint(unitSight(), 0.5f * vec3(x, y, 1)); }
 
+/// Of triangles before unitSight(), which sees points where they are.
+bool hides(const LightSight& sight, const vec3& a, const vec3& b, const vec3& c) {
+  return hidesCentre(sight, a, b, c, gpu::wayToPlane(a, b, c, {0, 0, 1}));
+}
+
 /// Of an outline that is a fan around its first point.
 float coveredBy(const LightSight& sight, const Outline& outline) {
   float covered = 0;
@@ -36,7 +41,7 @@ float coveredBy(const LightSight& sight, const Outline& outline) {
   for (size_t i = 1; i + 1 < outline.size(); ++i) {
     const vec3 a = outline[0], b = outline[i], c = outline[i + 1];
     const bool turned = dot(a, cross(b, c)) < 0;
-    if (hidesCentre(sight, a, b, c)) covered += turned ? -1.0f : 1.0f;
+    if (hides(sight, a, b, c)) covered += turned ? -1.0f : 1.0f;
   }
   return covered;
 }
@@ -83,7 +88,7 @@ TEST(Coverage, PartsOfChordsAreThoseOfTheSpecification) {
 
 TEST(Coverage, PolygonsAreThoseOfTheSpecification) {
   const Outline triangle = {at(-0.3f, -0.4f), at(0.9f, -0.2f), at(0.1f, 1.2f)};
-  EXPECT_TRUE(hidesCentre(unitSight(), triangle[0], triangle[1], triangle[2]));
+  EXPECT_TRUE(hides(unitSight(), triangle[0], triangle[1], triangle[2]));
   EXPECT_NEAR(coveredBy(unitSight(), triangle), 0.287040, 1e-6);
   EXPECT_NEAR(coveredBy(unitSight(), {at(-9, -0.5f), at(9, -0.5f), at(9, 0.5f), at(-9, 0.5f)}),
               0.608998, 1e-6);

@@ -108,6 +108,23 @@ GPU_TEST(PenumbraWedge, EveryShapeOfLightIsRight) {
   expectPenumbra(near, close, "close");
 }
 
+GPU_TEST(PenumbraWedge, FloorsThatSeeALampEdgeOnDoNotHideIt) {
+  // Upright: near its plane, seen points are large, and rounding with them.
+  for (const LightShape shape : {LightShape::Disc, LightShape::Rectangle})
+    for (const glm::dvec3& across : {glm::dvec3(0.3, 0, 0.4), glm::dvec3(0.5, 0, 0.01)}) {
+      Light lamp = ball(0.5);
+      lamp.shape = shape;
+      lamp.halfAxes = glm::dmat3(across, glm::dvec3(0, 0.5, 0), glm::dvec3(0));
+      const PenumbraScene s = star(lamp);
+      for (const char* combine : {"shader", "exact"}) {
+        Cell cell(cellDevice(device()), s.scene, wedges({{"combine", combine}}, {96, 72}));
+        const PenumbraErrors e = penumbraErrors(cell, s);
+        EXPECT_EQ(e.wrong, 0u) << combine << ", " << e.where;
+        EXPECT_GE(e.partly, 100u) << combine;
+      }
+    }
+}
+
 GPU_TEST(PenumbraWedge, CastersThatOverlapAddUp) {
   // Never lighter than the truth, and darker by the smaller share at most.
   PenumbraScene s = apart();
