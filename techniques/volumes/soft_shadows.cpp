@@ -55,6 +55,19 @@ rhi::GraphicsPipelineDesc SoftShadows::wedgePipeline(const rhi::ShaderCode* frag
           .depthFormat = VolumeCounter::kDepthFormat};
 }
 
+void SoftShadows::recordSum(const SoftLight& light, rhi::TextureId target,
+                            const std::function<void(rhi::CommandList&)>& body) const {
+  const rhi::ColorAttachment sum{.view = {.texture = target}};
+  const rhi::ResourceUse depth = rhi::use(light.layer.depth, rhi::Access::Sampled);
+  light.frame.pass({.label = "penumbra wedges",
+                    .colors = std::span(&sum, 1),
+                    .depth = rhi::DepthAttachment{.view = {.texture = light.layer.depth},
+                                                  .load = rhi::LoadOp::Load,
+                                                  .readOnly = true},
+                    .reads = {&depth, 1}},
+                   PassGroup::Shadow, body);
+}
+
 void SoftShadows::drawWedges(rhi::CommandList& commands, rhi::PipelineId pipeline,
                              const SoftLight& light, const WedgeRange& wedges) const {
   if (wedges.count == 0) return;

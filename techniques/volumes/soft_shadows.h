@@ -2,6 +2,9 @@
 // of the volumes of its centre and the wedges around its penumbrae.
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "techniques/volumes/coverage_tables.h"
 #include "techniques/volumes/light_wedges.h"
 #include "techniques/volumes/shadow_mask.h"
@@ -43,6 +46,9 @@ class SoftShadows {
   /// Adds into a target, in a pass over the receivers' depth.
   rhi::GraphicsPipelineDesc wedgePipeline(const rhi::ShaderCode* fragment,
                                           rhi::Format format) const;
+  /// A pass that clears a target and sums volumes and wedges there, over the receivers' depth.
+  void recordSum(const SoftLight& light, rhi::TextureId target,
+                 const std::function<void(rhi::CommandList&)>& body) const;
   void drawWedges(rhi::CommandList& commands, rhi::PipelineId pipeline, const SoftLight& light,
                   const WedgeRange& wedges) const;
 

@@ -51,18 +51,10 @@ void WedgeHalves::prepareHalf(bool inner, rhi::Format format) {
 }
 
 void WedgeHalves::record(const SoftLight& light) const {
-  const rhi::ColorAttachment hidden{.view = {.texture = m_hidden}};
-  const rhi::ResourceUse depth = rhi::use(light.layer.depth, rhi::Access::Sampled);
-  light.frame.pass({.label = "penumbra wedges",
-                    .colors = std::span(&hidden, 1),
-                    .depth = rhi::DepthAttachment{.view = {.texture = light.layer.depth},
-                                                  .load = rhi::LoadOp::Load,
-                                                  .readOnly = true},
-                    .reads = {&depth, 1}},
-                   PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                     m_counter->draw(commands, light.volumes, light.light, light.light.casters);
-                     drawHalves(commands, light);
-                   });
+  recordSum(light, m_hidden, [&](rhi::CommandList& commands) {
+    m_counter->draw(commands, light.volumes, light.light, light.light.casters);
+    drawHalves(commands, light);
+  });
   recordMask(light);
 }
 

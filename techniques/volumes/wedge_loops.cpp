@@ -46,18 +46,10 @@ void WedgeLoops::record(const SoftLight& light) const {
 
 void WedgeLoops::recordLoop(const SoftLight& light, const CasterVolume& caster,
                             const SilhouetteLoop& loop, const WedgeRange& wedges) const {
-  const rhi::ColorAttachment target{.view = {.texture = m_loop}};
-  const rhi::ResourceUse depth = rhi::use(light.layer.depth, rhi::Access::Sampled);
-  light.frame.pass({.label = "penumbra wedges",
-                    .colors = std::span(&target, 1),
-                    .depth = rhi::DepthAttachment{.view = {.texture = light.layer.depth},
-                                                  .load = rhi::LoadOp::Load,
-                                                  .readOnly = true},
-                    .reads = {&depth, 1}},
-                   PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                     m_counter->draw(commands, light.volumes, light.light, {&caster, 1}, &loop);
-                     drawWedges(commands, m_wedgePipeline, light, wedges);
-                   });
+  recordSum(light, m_loop, [&](rhi::CommandList& commands) {
+    m_counter->draw(commands, light.volumes, light.light, {&caster, 1}, &loop);
+    drawWedges(commands, m_wedgePipeline, light, wedges);
+  });
 }
 
 void WedgeLoops::recordTransfer(const SoftLight& light, bool first) const {

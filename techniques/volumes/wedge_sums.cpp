@@ -68,18 +68,10 @@ void WedgeSums::record(const SoftLight& light) const {
 
 void WedgeSums::recordSums(const SoftLight& light, std::span<const CasterVolume> casters,
                            const WedgeRange& wedges) const {
-  const rhi::ColorAttachment hidden{.view = {.texture = m_hidden}};
-  const rhi::ResourceUse depth = rhi::use(light.layer.depth, rhi::Access::Sampled);
-  light.frame.pass({.label = "penumbra wedges",
-                    .colors = std::span(&hidden, 1),
-                    .depth = rhi::DepthAttachment{.view = {.texture = light.layer.depth},
-                                                  .load = rhi::LoadOp::Load,
-                                                  .readOnly = true},
-                    .reads = {&depth, 1}},
-                   PassGroup::Shadow, [&](rhi::CommandList& commands) {
-                     m_counter->draw(commands, light.volumes, light.light, casters);
-                     drawWedges(commands, m_wedgePipeline, light, wedges);
-                   });
+  recordSum(light, m_hidden, [&](rhi::CommandList& commands) {
+    m_counter->draw(commands, light.volumes, light.light, casters);
+    drawWedges(commands, m_wedgePipeline, light, wedges);
+  });
 }
 
 void WedgeSums::recordMask(const SoftLight& light, bool first) const {
