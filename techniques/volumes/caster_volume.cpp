@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "techniques/volumes/near_pyramid.h"
+#include "techniques/volumes/culling/near_pyramid.h"
 
 namespace sb {
 namespace {

@@ -1,6 +1,6 @@
 // Edges on the device: what a compute shader finds at them is what the CPU finds, and what it
 // appends is drawn without the CPU knowing how much that is.
-#include "techniques/volumes/edge_buffers.h"
+#include "techniques/volumes/edges/edge_buffers.h"
 
 #include "suites/scenes/procedural/parts/shapes.h"
 #include "suites/scenes/procedural/procedural.h"

@@ -1,5 +1,5 @@
 // Edges of meshes (spec 07): worked examples, soups, closed chains for any of them.
-#include "techniques/volumes/edge_mesh.h"
+#include "techniques/volumes/edges/edge_mesh.h"
 
 #include <gtest/gtest.h>
 

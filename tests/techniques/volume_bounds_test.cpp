@@ -1,5 +1,5 @@
 // What culling of shadow volumes stands on: bounds of volumes, rectangles of lights.
-#include "techniques/volumes/volume_bounds.h"
+#include "techniques/volumes/culling/volume_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "suites/scenes/procedural/parts/random.h"
 #include "techniques/scene/camera.h"
-#include "techniques/volumes/light_rectangle.h"
+#include "techniques/volumes/culling/light_rectangle.h"
 
 namespace sb {
 namespace {

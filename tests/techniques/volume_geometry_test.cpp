@@ -5,7 +5,7 @@
 
 #include "suites/scenes/procedural/procedural.h"
 #include "suites/scenes/procedural/scenes.h"
-#include "techniques/volumes/near_pyramid.h"
+#include "techniques/volumes/culling/near_pyramid.h"
 #include "techniques/volumes/silhouette.h"
 #include "tests/techniques/recorded.h"
 

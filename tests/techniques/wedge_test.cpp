@@ -1,6 +1,6 @@
 // Wedges hold the penumbrae of their edges (spec 08: the containment theorem, on the hulls that are
 // drawn), from anywhere and of any light.
-#include "techniques/volumes/wedge.h"
+#include "techniques/volumes/wedges/wedge.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "techniques/volumes/coverage_tables.h"
-#include "techniques/volumes/light_wedges.h"
+#include "techniques/volumes/wedges/coverage_tables.h"
+#include "techniques/volumes/wedges/light_wedges.h"
 #include "techniques/volumes/shadow_mask.h"
 #include "techniques/volumes/volume_counter.h"
 

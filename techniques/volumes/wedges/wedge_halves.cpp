@@ -1,4 +1,4 @@
-#include "techniques/volumes/wedge_halves.h"
+#include "techniques/volumes/wedges/wedge_halves.h"
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/render/camera_pass.h"

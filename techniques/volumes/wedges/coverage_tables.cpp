@@ -1,4 +1,4 @@
-#include "techniques/volumes/coverage_tables.h"
+#include "techniques/volumes/wedges/coverage_tables.h"
 
 #include <glm/gtc/packing.hpp>
 

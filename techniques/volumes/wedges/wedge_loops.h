@@ -5,7 +5,7 @@
 // loop, one draw for its wedges.
 #pragma once
 
-#include "techniques/volumes/soft_shadows.h"
+#include "techniques/volumes/wedges/soft_shadows.h"
 
 namespace sb {
 

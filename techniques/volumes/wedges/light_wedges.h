@@ -6,7 +6,7 @@
 
 #include "shaders/common/shared_wedge.h"
 #include "techniques/volumes/shadow_volumes.h"
-#include "techniques/volumes/wedge.h"
+#include "techniques/volumes/wedges/wedge.h"
 
 namespace sb {
 

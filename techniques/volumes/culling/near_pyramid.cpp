@@ -1,4 +1,4 @@
-#include "techniques/volumes/near_pyramid.h"
+#include "techniques/volumes/culling/near_pyramid.h"
 
 #include "techniques/scene/camera.h"
 

@@ -2,7 +2,7 @@
 // what happens to shares while a receiver goes past a wedge's apex, a light grows or goes through a
 // caster, layers pile up, the eye goes through volumes and wedges, the world stands far from zero.
 #include "suites/scenes/edit/transform.h"
-#include "suites/stability/wedge_scenes.h"
+#include "suites/stability/cases/wedge_scenes.h"
 
 namespace sb {
 namespace {

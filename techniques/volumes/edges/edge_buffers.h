@@ -3,7 +3,7 @@
 
 #include "techniques/draw/scene/gpu_scene.h"
 #include "techniques/draw/scene/storage_window.h"
-#include "techniques/volumes/edge_mesh.h"
+#include "techniques/volumes/edges/edge_mesh.h"
 
 namespace sb {
 

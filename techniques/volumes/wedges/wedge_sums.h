@@ -3,7 +3,7 @@
 // exact. Two passes a light, all wedges in one draw; wrap: two a caster; exact: one.
 #pragma once
 
-#include "techniques/volumes/soft_shadows.h"
+#include "techniques/volumes/wedges/soft_shadows.h"
 
 namespace sb {
 

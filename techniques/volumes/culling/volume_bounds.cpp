@@ -1,4 +1,4 @@
-#include "techniques/volumes/volume_bounds.h"
+#include "techniques/volumes/culling/volume_bounds.h"
 
 #include <algorithm>
 

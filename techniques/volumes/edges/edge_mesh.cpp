@@ -1,4 +1,4 @@
-#include "techniques/volumes/edge_mesh.h"
+#include "techniques/volumes/edges/edge_mesh.h"
 
 #include <algorithm>
 #include <array>

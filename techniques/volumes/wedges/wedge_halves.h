@@ -6,7 +6,7 @@
 // a wedge.
 #pragma once
 
-#include "techniques/volumes/soft_shadows.h"
+#include "techniques/volumes/wedges/soft_shadows.h"
 
 namespace sb {
 

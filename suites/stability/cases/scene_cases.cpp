@@ -1,7 +1,7 @@
 // The generic properties (spec 17, section 1) of a scene that the user names: what its own known
 // numbers say in the cases is said by the scene itself here, moved, scaled, permuted, stripped, or
 // by the truth.
-#include "suites/stability/scene_cases.h"
+#include "suites/stability/cases/scene_cases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "techniques/draw/views/scene_view.h"
 #include "techniques/scene/tree/scene_tree.h"
-#include "techniques/volumes/volume_bounds.h"
+#include "techniques/volumes/culling/volume_bounds.h"
 
 namespace sb {
 

@@ -1,11 +1,11 @@
-#include "techniques/volumes/shadow_culling.h"
+#include "techniques/volumes/culling/shadow_culling.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "techniques/scene/light_area.h"
 #include "techniques/scene/optics.h"
-#include "techniques/volumes/light_rectangle.h"
+#include "techniques/volumes/culling/light_rectangle.h"
 
 namespace sb {
 namespace {

@@ -1,10 +1,10 @@
-#include "techniques/volumes/soft_shadows.h"
+#include "techniques/volumes/wedges/soft_shadows.h"
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/render/screen_targets.h"
-#include "techniques/volumes/wedge_halves.h"
-#include "techniques/volumes/wedge_loops.h"
-#include "techniques/volumes/wedge_sums.h"
+#include "techniques/volumes/wedges/wedge_halves.h"
+#include "techniques/volumes/wedges/wedge_loops.h"
+#include "techniques/volumes/wedges/wedge_sums.h"
 
 namespace sb {
 

@@ -1,4 +1,4 @@
-#include "techniques/volumes/edge_buffers.h"
+#include "techniques/volumes/edges/edge_buffers.h"
 
 namespace sb {
 

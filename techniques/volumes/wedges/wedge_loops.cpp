@@ -1,4 +1,4 @@
-#include "techniques/volumes/wedge_loops.h"
+#include "techniques/volumes/wedges/wedge_loops.h"
 
 #include "shaders/common/shared_slots.h"
 #include "techniques/render/camera_pass.h"

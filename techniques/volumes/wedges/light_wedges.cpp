@@ -1,4 +1,4 @@
-#include "techniques/volumes/light_wedges.h"
+#include "techniques/volumes/wedges/light_wedges.h"
 
 #include <algorithm>
 #include <cstring>

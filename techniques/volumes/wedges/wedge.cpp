@@ -1,4 +1,4 @@
-#include "techniques/volumes/wedge.h"
+#include "techniques/volumes/wedges/wedge.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "techniques/volumes/wedge_sums.h"
+#include "techniques/volumes/wedges/wedge_sums.h"
 
 #include <bit>
 

@@ -1,7 +1,7 @@
 // Lights with an extent driven to where penumbra wedges break (spec 17, rows of 08): receivers at
 // edges, edges that point at the light, reach into it or lie on its axis, eyes within penumbrae,
 // many edges at once, casters that overlap.
-#include "suites/stability/wedge_scenes.h"
+#include "suites/stability/cases/wedge_scenes.h"
 
 namespace sb {
 namespace {

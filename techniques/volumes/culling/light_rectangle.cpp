@@ -1,4 +1,4 @@
-#include "techniques/volumes/light_rectangle.h"
+#include "techniques/volumes/culling/light_rectangle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "suites/scenes/procedural/parts/shapes.h"
-#include "suites/stability/scene_cases.h"
+#include "suites/stability/cases/scene_cases.h"
 #include "techniques/scene/optics.h"
 
 namespace sb {
