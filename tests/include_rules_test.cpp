@@ -74,8 +74,8 @@ const std::map<std::string, std::vector<std::string>> kAllowed = {
     {"suites/cli",
      {"suites/harness", "suites/stability", "suites/scenes", "suites/truth", "suites/metrics",
       "techniques/scene", "techniques/plan", "techniques/render", "reports", "backends/rhi",
-      "backends/shader", "backends/vulkan/device/vk_backend.h", "backends/opengl/device/gl_backend.h",
-      "backends/null/null_backend.h"}},
+      "backends/shader", "backends/vulkan/device/vk_backend.h",
+      "backends/opengl/device/gl_backend.h", "backends/null/null_backend.h"}},
 };
 
 /// Headers of the graphics APIs, which only their backend may see.

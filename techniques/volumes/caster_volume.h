@@ -7,8 +7,8 @@
 
 #include "shaders/common/shared_volume.h"
 #include "techniques/draw/views/scene_view.h"
-#include "techniques/volumes/edges/edge_buffers.h"
 #include "techniques/volumes/culling/shadow_culling.h"
+#include "techniques/volumes/edges/edge_buffers.h"
 
 namespace sb {
 

@@ -20,8 +20,8 @@
 // are those of the light's centre; shares are of the disc, whatever the receiver's horizon.
 #include "techniques/render/registry.h"
 #include "techniques/scene/light_area.h"
-#include "techniques/volumes/wedges/soft_shadows.h"
 #include "techniques/volumes/volume_technique.h"
+#include "techniques/volumes/wedges/soft_shadows.h"
 
 namespace sb {
 namespace {

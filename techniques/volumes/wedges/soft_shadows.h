@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 
-#include "techniques/volumes/wedges/coverage_tables.h"
-#include "techniques/volumes/wedges/light_wedges.h"
 #include "techniques/volumes/shadow_mask.h"
 #include "techniques/volumes/volume_counter.h"
+#include "techniques/volumes/wedges/coverage_tables.h"
+#include "techniques/volumes/wedges/light_wedges.h"
 
 namespace sb {
 
