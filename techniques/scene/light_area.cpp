@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "techniques/scene/light_data.h"
 
@@ -33,6 +34,12 @@ double lightRadius(const Light& light) {
   const double a = glm::length(light.halfAxes[0]), b = glm::length(light.halfAxes[1]);
   if (light.shape == LightShape::Rectangle) return std::hypot(a, b);
   return std::max({a, b, glm::length(light.halfAxes[2])});
+}
+
+double seenRadius(LightShape shape, double radius, double distance) {
+  if (shape != LightShape::Ellipsoid) return radius;
+  const double d2 = distance * distance, r2 = radius * radius;
+  return d2 > r2 ? radius * std::sqrt(d2 / (d2 - r2)) : std::numeric_limits<double>::infinity();
 }
 
 bool isSphere(const Light& light) {

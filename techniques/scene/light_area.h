@@ -17,6 +17,9 @@ namespace sb {
 bool isAreaLight(const Light& light);
 /// Farthest that a point of a point or spot light lies from its centre, world units.
 double lightRadius(const Light& light);
+/// The same of what receivers see (LightPatch) of a light of that radius from `distance` away at
+/// least: the disc of a round body is wider than the body, without bound near it. Infinite within.
+double seenRadius(LightShape shape, double radius, double distance);
 /// Is its shape an ellipsoid of equal axes along the world's?
 bool isSphere(const Light& light);
 /// Gives a point or spot light the shape of a sphere; 0: none.

@@ -92,5 +92,28 @@ TEST(LightArea, ShadersGetTheShape) {
   EXPECT_NEAR(glm::dot(glm::vec3(d.halfAxis0), glm::vec3(0, -1, 0)), 0, 1e-6);
 }
 
+TEST(LightArea, NoPointThatIsSeenLiesBeyondTheSeenRadius) {
+  Light light{.type = LightType::Point, .shape = LightShape::Ellipsoid};
+  light.halfAxes = glm::dmat3(1.5, 0, 0, 0, 1, 0, 0, 0, 0.5);
+  double widest = 0;
+  for (const double distance : {1.501, 1.6, 2.0, 5.0, 100.0})
+    for (uint32_t i = 0; i < 256; ++i) {
+      const dvec2 place = netPoint(i, 256);
+      const double z = 2 * place.y - 1, r = std::sqrt(1 - z * z), turn = 6.283185307 * place.x;
+      const LightPatch patch =
+          lightPatch(light, distance * dvec3(r * std::cos(turn), r * std::sin(turn), z));
+      const double most = seenRadius(light.shape, lightRadius(light), distance) * (1 + 1e-12);
+      for (uint32_t k = 0; k < 16; ++k) {
+        const double angle = k * 0.39269908;
+        const double aside = glm::length(patch.offset({std::cos(angle), std::sin(angle)}));
+        ASSERT_LE(aside, most) << distance;
+        widest = std::max(widest, aside / most);
+      }
+    }
+  EXPECT_GT(widest, 0.99) << "it is wider than it need be";
+  EXPECT_EQ(seenRadius(LightShape::Disc, 2, 0.5), 2);
+  EXPECT_TRUE(std::isinf(seenRadius(LightShape::Ellipsoid, 2, 2)));
+}
+
 }  // namespace
 }  // namespace sb

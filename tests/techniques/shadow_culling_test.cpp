@@ -111,3 +111,27 @@ GPU_TEST(ShadowCulling, ABudgetKeepsWhatMattersMost) {
              volumes({{"budget", std::to_string(triangles)}}, {64, 48}));
   EXPECT_EQ(exact.picture().rgba, whole.picture().rgba);
 }
+
+GPU_TEST(ShadowCulling, ABudgetKeepsTheMostImportantFirst) {
+  // A large box near the eye, a small one far from it, in either order: one of them is within 14
+  // triangles, even beside the floor.
+  const auto dark = [&](bool farFirst, Setting knobs) {
+    Scene scene = floorScene(false);
+    const auto nearBox = [&] { addBox(scene, 0, {-1, 0.5f, 1}, {1, 1.5f, 2.5f}); };
+    if (!farFirst) nearBox();
+    addBox(scene, 0, {-0.25f, 0.5f, -3}, {0.25f, 0.75f, -2.5f});
+    if (farFirst) nearBox();
+    addLight(scene, sun({0.5, -1, 0}));
+    scene.cameras[0] = lookAt({-3, 5, 6}, {0, 0, 0});
+    Cell cell(cellDevice(device()), scene, volumes(std::move(knobs)));
+    const VisibilityImage& image = cell.visibility()[0];
+    size_t pixels = 0;
+    for (size_t i = 0; i < image.size(); i += 4) pixels += image[i + 3] == 1 && image[i] == 0;
+    return pixels;
+  };
+  for (const bool farFirst : {false, true}) {
+    const size_t both = dark(farFirst, {}), kept = dark(farFirst, {{"budget", "14"}});
+    EXPECT_LT(kept, both) << "the small one's shadow is left out";
+    EXPECT_GT(3 * kept, 2 * both) << "the large one's is not, " << farFirst;
+  }
+}

@@ -55,10 +55,33 @@ TEST(VolumeBounds, NoPointOfAVolumeThatIsSeenIsCulled) {
 TEST(VolumeBounds, AVolumeThatEndsHoldsWhatItReaches) {
   const VolumeBounds lamp{{{-1, 1, -1}, {1, 2, 1}}, {0, 4, 0, 1}};
   const Box box = lamp.within(8);
-  EXPECT_LE(box.low.y, 4 - 8 / std::sqrt(1 + 2 / 4.0) + 1e-9);
+  EXPECT_LE(box.low.y, -4) << "straight below the lamp, between the corners";
+  EXPECT_GT(box.low.y, -4 - 1e-9);
   EXPECT_EQ(box.high.y, 2);
   const VolumeBounds sun{{{-1, 1, -1}, {1, 2, 1}}, {0, 1, 0, 0}};
   EXPECT_EQ(sun.within(8).low.y, -7);
+}
+
+TEST(VolumeBounds, NoPointOfAVolumeLiesBeyondItsBox) {
+  Pcg random(9);
+  int around = 0;
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec3 middle = randomPoint(random, 5), half = glm::abs(randomPoint(random, 2));
+    const glm::dvec3 lamp = randomPoint(random, 5);
+    const double reach = random.uniform(1, 12);
+    const VolumeBounds bounds{{middle - half, middle + half}, glm::dvec4(lamp, 1)};
+    const Box box = bounds.within(reach);
+    around += box.high.x - box.low.x >= 2 * reach;
+    for (int k = 0; k < 200; ++k) {
+      const glm::dvec3 way = middle + half * randomPoint(random, 1) - lamp;
+      const double length = glm::length(way);
+      if (length > reach) continue;
+      const glm::dvec3 end = lamp + way * (reach / length);
+      ASSERT_TRUE(glm::all(glm::lessThanEqual(box.low, end + 1e-9)));
+      ASSERT_TRUE(glm::all(glm::greaterThanEqual(box.high, end - 1e-9)));
+    }
+  }
+  EXPECT_LT(around, 400) << "boxes say nothing";
 }
 
 /// Pixels of the frustum's points within a sphere, by random points of it.

@@ -31,7 +31,7 @@ LightReach::LightReach(const Light& light, glm::dvec3 origin)
       m_dark(!(light.intensity > 0) ||
              std::max({light.color.r, light.color.g, light.color.b}) <= 0),
       m_cone(light.type == LightType::Spot),
-      m_solid(light.shape == LightShape::Ellipsoid),
+      m_shape(light.shape),
       m_position(light.position - origin),
       m_direction(light.direction),
       m_range(light.range > 0 ? light.range : std::numeric_limits<double>::infinity()),
@@ -43,9 +43,7 @@ LightReach::LightReach(const Light& light, glm::dvec3 origin)
 }
 
 double LightReach::aside(const Box& receiver) const {
-  if (!m_solid) return m_radius;
-  const double d2 = squaredDistance(m_position, receiver), r2 = m_radius * m_radius;
-  return d2 > r2 ? m_radius * std::sqrt(d2 / (d2 - r2)) : std::numeric_limits<double>::infinity();
+  return seenRadius(m_shape, m_radius, std::sqrt(squaredDistance(m_position, receiver)));
 }
 
 bool LightReach::mayLight(const Box& box) const {

@@ -33,7 +33,8 @@ class LightReach {
   /// The same, where rays to the light may pass `slack` beside the rays to its centre.
   bool mayPass(const Box& box, double slack) const;
 
-  bool m_directional, m_dark, m_cone, m_solid;
+  bool m_directional, m_dark, m_cone;
+  LightShape m_shape;
   glm::dmat3 m_axes = glm::dmat3(1);
   double m_spread = 0;
   glm::dvec3 m_position, m_direction;

@@ -41,9 +41,12 @@ double shareOfPicture(const SceneView& view, const Box& box) {
   return 0.25 * (picture.high.x - picture.low.x) * (picture.high.y - picture.low.y);
 }
 
-/// VolumeBounds::lightRadius.
-double radiusOf(const Light& light) {
-  return light.type == LightType::Directional ? std::sin(light.angularRadius) : lightRadius(light);
+/// VolumeBounds::lightRadius, as receivers in a box relative to the eye see the light.
+double radiusOf(const Light& light, const Box& receivers, const glm::dvec3& eye) {
+  if (light.type == LightType::Directional) return std::sin(light.angularRadius);
+  const glm::dvec3 place = light.position - eye;
+  const double distance = glm::distance(place, glm::clamp(place, receivers.low, receivers.high));
+  return seenRadius(light.shape, lightRadius(light), distance);
 }
 
 Box moved(const Box& box, const glm::dvec3& by) { return {box.low + by, box.high + by}; }
@@ -96,8 +99,7 @@ Box ShadowCulling::placedBox(uint32_t instance) const {
 std::optional<Sphere> ShadowCulling::reachOf(uint32_t light) const {
   const Light& l = m_view.placed().light(light);
   if (l.type == LightType::Directional || !(l.range > 0)) return {};
-  // What lies between a receiver in reach and a point of the light is in reach, or in the light.
-  return Sphere{l.position, m_choice.extents ? std::max(l.range, lightRadius(l)) : l.range};
+  return Sphere{l.position, l.range};
 }
 
 /// Lights without end are in no tree.
@@ -157,8 +159,13 @@ void ShadowCulling::cull(const LightCasters& light, const ConvexRegion& seen,
     for (const uint32_t i : light.instances) count(VolumeFate::LightUnseen, triangles(i));
     return;
   }
+  const double radius = m_choice.extents ? radiusOf(l, receivers, eye) : 0;
   std::vector<uint32_t> reached = light.instances;
-  if (reach) query(*m_instances, {.sphere = reach}, reached);
+  // What lies between a receiver in reach and a point of the light is in reach, or beside the
+  // light.
+  if (reach && std::isfinite(radius))
+    query(*m_instances, {.sphere = Sphere{reach->center, std::max(reach->radius, radius)}},
+          reached);
   const std::vector<HalfSpace> sides = boxHalfSpaces(receivers);
   auto at = reached.begin();
   for (const uint32_t i : light.instances) {
@@ -171,7 +178,7 @@ void ShadowCulling::cull(const LightCasters& light, const ConvexRegion& seen,
     const VolumeBounds bounds{moved(m_boxes[i], -eye),
                               l.type == LightType::Directional ? glm::dvec4(-l.direction, 0)
                                                                : glm::dvec4(l.position - eye, 1),
-                              m_choice.extents ? radiusOf(l) : 0};
+                              radius};
     if (bounds.liesOutside(seen.halfSpaces))
       count(VolumeFate::OutOfView, triangles);
     else if (bounds.liesOutside(sides))

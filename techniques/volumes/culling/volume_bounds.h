@@ -19,6 +19,11 @@ struct VolumeBounds {
   bool liesOutside(std::span<const HalfSpace> halfSpaces) const;
   /// Around the volume where it ends `reach` from the light (directional: behind the caster).
   Box within(double reach) const;
+
+ private:
+  /// Around what the cone of a lamp's rays through the caster cuts out of the sphere of that
+  /// radius: it bulges beyond the rays through the corners.
+  Box capBox(double reach) const;
 };
 
 /// The six half spaces of a box.
